@@ -1,0 +1,11 @@
+# What every target shares: include root, no contraction of a*b+c behind our back (same bits from every compiler pass).
+add_library(weaveform_options INTERFACE)
+target_include_directories(weaveform_options INTERFACE ${PROJECT_SOURCE_DIR})
+if(WEAVEFORM_SANITIZE)
+  target_compile_options(weaveform_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(weaveform_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(WEAVEFORM_COVERAGE)
+  target_compile_options(weaveform_options INTERFACE --coverage)
+  target_link_options(weaveform_options INTERFACE --coverage)
+endif()

@@ -1,0 +1,4 @@
+# Linked by every target of ours, last: warnings are errors, on g++ and clang++ alike.
+add_library(weaveform_warnings INTERFACE)
+target_compile_options(weaveform_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast -Werror)

@@ -1,0 +1,2 @@
+set(UNIT_MESHER_SOURCES
+)

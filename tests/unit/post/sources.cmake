@@ -1,0 +1,2 @@
+set(UNIT_POST_SOURCES
+)

@@ -1,0 +1,2 @@
+set(UNIT_SOLVER_SOURCES
+)
