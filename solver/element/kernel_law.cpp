@@ -1,0 +1,68 @@
+#include "solver/element/kernel_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace weaveform {
+namespace {
+
+constexpr double unbounded = 1e30;  // strain; a finite stand-in for infinity, so that 0 * bound stays 0
+
+double binomial(int n, int k) {
+  double value = 1.0;
+  for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+  return value;
+}
+
+// Coefficients of p(anchor + t) from those of p(e).
+std::vector<double> shifted(const std::vector<double>& coefficient, double anchor) {
+  std::vector<double> result(coefficient.size(), 0.0);
+  for (int n = 0; n < static_cast<int>(coefficient.size()); ++n)
+    for (int m = 0; m <= n; ++m) result[m] += coefficient[n] * binomial(n, m) * std::pow(anchor, n - m);
+  return result;
+}
+
+// The law's pieces with everything outside them: constant tangent beyond both ends, the compression modulus below zero.
+std::vector<TangentPiece> whole_line(const TangentLaw& law, double compression_modulus) {
+  std::vector<TangentPiece> pieces;
+  for (const auto& piece : law.pieces()) {
+    if (compression_modulus >= 0.0 && piece.to <= 0.0) continue;
+    pieces.push_back(piece);
+    if (compression_modulus >= 0.0) pieces.back().from = std::max(piece.from, 0.0);
+  }
+  const double start = pieces.front().from;
+  const double below = compression_modulus >= 0.0 ? compression_modulus : law.tangent(start);
+  if (start > -unbounded) pieces.insert(pieces.begin(), {-unbounded, start, {below}});
+  const double end = pieces.back().to;
+  if (end < unbounded) pieces.push_back({end, unbounded, {law.tangent(end)}});
+  return pieces;
+}
+
+}  // namespace
+
+template <int Pieces, int Degree>
+bool pack_law(const TangentLaw& law, double compression_modulus, KernelLaw<Pieces, Degree>& packed) {
+  const auto pieces = whole_line(law, compression_modulus);
+  if (static_cast<int>(pieces.size()) > Pieces) return false;
+  packed = {};
+  for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
+    const auto& piece = pieces[p];
+    if (static_cast<int>(piece.coefficient.size()) > Degree) return false;
+    const double from = std::max(piece.from, -unbounded), to = std::min(piece.to, unbounded);
+    const double anchor = std::clamp(0.0, from, to);
+    packed.anchor[p] = anchor;
+    packed.low[p] = from - anchor;
+    packed.high[p] = to - anchor;
+    // integral of C(anchor + t) dt from 0: c_n t^(n+1) / (n+1)
+    const auto tangent = shifted(piece.coefficient, anchor);
+    for (int n = 0; n < static_cast<int>(tangent.size()); ++n) packed.coefficient[p][n] = tangent[n] / (n + 1);
+  }
+  return true;
+}
+
+template bool pack_law(const TangentLaw&, double, PaperLaw&);
+template bool pack_law(const TangentLaw&, double, GeneralLaw&);
+template bool pack_law(const TangentLaw&, double, PaperShearLaw&);
+
+}  // namespace weaveform

@@ -1,0 +1,46 @@
+// A tangent law packed for the inner loop: stress as a sum over pieces without branches. Since stress is the integral of
+// the tangent, each piece adds the integral over the part of [0, e] that lies in it:
+//   s(e) = sum_p S_p(clamp(e - anchor_p, low_p, high_p)),   S_p(0) = 0,
+// with S_p the polynomial of piece p about its end nearest to zero strain.
+#pragma once
+
+#include "mesher/material/law.hpp"
+
+namespace weaveform {
+
+template <int Pieces, int Degree>
+struct KernelLaw {
+  double anchor[Pieces] = {};
+  double low[Pieces] = {};
+  double high[Pieces] = {};
+  double coefficient[Pieces][Degree] = {};  // of t, t^2, ..., t^Degree
+
+  // always_inline: the loops over pieces must unroll inside the caller's vector loop
+  [[gnu::always_inline]] inline double stress(double strain) const {
+    double sum = 0.0;
+#pragma GCC unroll 8
+    for (int p = 0; p < Pieces; ++p) {
+      double t = strain - anchor[p];
+      t = t < low[p] ? low[p] : t;
+      t = t > high[p] ? high[p] : t;
+      double polynomial = coefficient[p][Degree - 1];
+#pragma GCC unroll 8
+      for (int n = Degree - 2; n >= 0; --n) polynomial = polynomial * t + coefficient[p][n];
+      sum += polynomial * t;
+    }
+    return sum;
+  }
+};
+
+// The two shapes the inner loop is compiled for: the paper's (Tables 2 and 3: compression, one cubic tangent, one constant
+// tangent; one cubic tangent) and a general one.
+using PaperLaw = KernelLaw<3, 4>;
+using GeneralLaw = KernelLaw<8, 6>;
+using PaperShearLaw = KernelLaw<2, 4>;
+
+// Packs a law; `compression_modulus` (MPa) rules below zero strain unless negative (then the law's own pieces do, or its
+// value at the first end). Returns false when the law has too many pieces or too high a degree for the shape.
+template <int Pieces, int Degree>
+[[nodiscard]] bool pack_law(const TangentLaw& law, double compression_modulus, KernelLaw<Pieces, Degree>& packed);
+
+}  // namespace weaveform

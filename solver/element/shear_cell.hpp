@@ -1,0 +1,69 @@
+// Shear cell: in-plane shear only. With g1, g2 the yarn directions at the cell's centre and sin gamma = g1.g2 of their unit
+// vectors, the paper's logarithmic shear strain (Eq. 6) has the closed form
+//   gamma_L = -ln tan(pi/4 - gamma/2) = atanh(sin gamma) = 1/2 ln((1 + s)/(1 - s)),  s = sin gamma,
+// and the contravariant stress sigma(gamma_L) is the integral of Table 3. The two whole-stress formulations differ in what
+// they return for the forces on g1 and g2 (V0 = area * thickness of the flat cell):
+//   energy         F = V0 sigma ds/dg       : ds/dg1 = (g2/|g2| - s g1/|g1|)/|g1|    (stored energy, exact balance)
+//   contravariant  F = V0 sigma g2/(|g1||g2|) : sigma (g1 x g2 + g2 x g1) of Eq. 9, without the part along each yarn
+// Thickness: constant-volume keeps V = V0; constant keeps t, so V = V0 cos gamma.
+#pragma once
+
+#include <cmath>
+
+#include "solver/element/vector_log.hpp"
+
+namespace weaveform {
+
+enum class Formulation { energy, contravariant };
+enum class Thickness { constant_volume, constant };
+
+struct CellForce {
+  double warp[3];  // N; conjugate to g1, so that node a of the cell gets -(c1_a * warp + c2_a * weft)
+  double weft[3];  // N; conjugate to g2
+};
+
+// Packed shear law: the tangent polynomial and the card's friction-like start, odd in the strain.
+template <class Law>
+struct KernelShear {
+  Law law;
+  double plateau = 0.0;  // MPa
+  double rise = 1.0;     // 1
+
+  [[gnu::always_inline]] inline double stress(double log_strain) const {
+    const double size = std::abs(log_strain);
+    const double stress = law.stress(size) + plateau * size / (size + rise);
+    return std::copysign(stress, log_strain);
+  }
+};
+
+template <Formulation formulation, Thickness thickness, class Law>
+[[gnu::always_inline]] inline CellForce shear_cell_force(const KernelShear<Law>& law, const double (&g1)[3],
+                                                         const double (&g2)[3], double volume) {
+  const double square1 = g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2];
+  const double square2 = g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2];
+  const double dot = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
+  const double inverse = 1.0 / std::sqrt(square1 * square2);
+  // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the cell.
+  constexpr double limit = 1.0 - 1e-12;
+  double s = dot * inverse;
+  s = s > limit ? limit : s;
+  s = s < -limit ? -limit : s;
+  const double log_strain = 0.5 * vector_log((1.0 + s) / (1.0 - s));
+  double force = volume * law.stress(log_strain);
+  if constexpr (thickness == Thickness::constant) force *= std::sqrt(1.0 - s * s);
+  const double cross = force * inverse;
+  double along1 = 0.0, along2 = 0.0;
+  if constexpr (formulation == Formulation::energy) {
+    along1 = force * s / square1;
+    along2 = force * s / square2;
+  }
+  CellForce result;
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    result.warp[c] = cross * g2[c] - along1 * g1[c];
+    result.weft[c] = cross * g1[c] - along2 * g2[c];
+  }
+  return result;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,35 @@
+// Truss yarn (the paper's T3D2). True strain e = ln(L/L0) (paper, "Tensile characterization"), stress the integral of the
+// tangent law of Table 2. Axial force, with power N dL/dt:
+//   incompressible section   A = A0 L0/L :  N = s(e) A0 L0/L
+//   constant section         A = A0      :  N = s(e) A0
+#pragma once
+
+#include <cmath>
+
+#include "solver/element/vector_log.hpp"
+
+namespace weaveform {
+
+enum class Section { incompressible, constant };
+
+// Force per length, N/L (N/mm): the nodal force is this times the vector between the nodes. `length_squared` is L^2 and
+// `rest` L0, in mm; no square root is needed when the section is incompressible.
+template <Section section, class Law>
+[[gnu::always_inline]] inline double yarn_force_per_length(const Law& law, double length_squared, double rest, double area) {
+  const double strain = 0.5 * vector_log(length_squared / (rest * rest));
+  const double stress = law.stress(strain);
+  if constexpr (section == Section::incompressible) return stress * area * rest / length_squared;
+  return stress * area / std::sqrt(length_squared);
+}
+
+// A yarn that reaches `jaw` mm into a grip: strain and force of the whole length, L + jaw over L0 + jaw = `rest`.
+template <Section section, class Law>
+[[gnu::always_inline]] inline double yarn_force_per_length(const Law& law, double length_squared, double rest, double jaw,
+                                                           double area) {
+  const double length = std::sqrt(length_squared);
+  const double whole = length + jaw;
+  const double per_whole = yarn_force_per_length<section>(law, whole * whole, rest, area);
+  return per_whole * whole / length;
+}
+
+}  // namespace weaveform

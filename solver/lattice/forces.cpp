@@ -1,0 +1,237 @@
+#include "solver/lattice/forces.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+
+#include "mesher/base/error.hpp"
+#include "solver/lattice/row_kernels.hpp"
+
+namespace weaveform {
+namespace {
+
+// One row of element forces, readable at index -1 (the element left of the first one does not exist: zero).
+class RowBuffer {
+public:
+  explicit RowBuffer(int stride) : storage_(static_cast<std::size_t>(stride) + 2 * guard, 0.0) {}
+  [[nodiscard]] double* data() { return storage_.data() + guard; }
+  void clear(Run range) { std::fill(data() + range.begin - 1, data() + range.end, 0.0); }
+
+private:
+  static constexpr int guard = 8;  // a cache line, so that data() stays aligned
+  Doubles storage_;
+};
+
+struct Scratch {
+  explicit Scratch(int stride)
+      : along{RowBuffer(stride), RowBuffer(stride), RowBuffer(stride)}, across(along), p(along), q(along), carry(along) {}
+  std::array<RowBuffer, 3> along, across, p, q, carry;
+};
+
+Run united(Run a, Run b) {
+  if (a.begin == a.end) return b;
+  if (b.begin == b.end) return a;
+  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
+}
+
+// A law in the shape the inner loop wants: the paper's when it fits, the general one otherwise.
+struct YarnLawShape {
+  PaperLaw paper;
+  GeneralLaw general;
+  bool is_paper = false;
+  [[nodiscard]] const void* pointer() const { return is_paper ? static_cast<const void*>(&paper) : &general; }
+};
+
+YarnLawShape shape_yarn_law(const TangentLaw& law, double compression_modulus, const std::string& what) {
+  YarnLawShape shape;
+  shape.is_paper = pack_law(law, compression_modulus, shape.paper);
+  if (!shape.is_paper && !pack_law(law, compression_modulus, shape.general))
+    throw InputError("material: the " + what + " law has more than 6 pieces or a tangent above degree 5; simplify it");
+  return shape;
+}
+
+struct ShearLawShape {
+  KernelShear<PaperShearLaw> paper;
+  KernelShear<GeneralLaw> general;
+  bool is_paper = false;
+  [[nodiscard]] const void* pointer() const { return is_paper ? static_cast<const void*>(&paper) : &general; }
+};
+
+ShearLawShape shape_shear_law(const ShearCard& card) {
+  ShearLawShape shape;
+  shape.is_paper = pack_law(card.tangent, 0.0, shape.paper.law);
+  if (!shape.is_paper && !pack_law(card.tangent, 0.0, shape.general.law))
+    throw InputError("material: the shear law has more than 6 pieces or a tangent above degree 5; simplify it");
+  shape.paper.plateau = shape.general.plateau = card.start.plateau;
+  shape.paper.rise = shape.general.rise = card.start.plateau != 0.0 ? card.start.rise : 1.0;
+  return shape;
+}
+
+// Rows in blocks of about equal numbers of nodes, one block a thread.
+std::vector<int> balanced_blocks(const PackedMesh& packed, int threads) {
+  long total = 0;
+  for (int j = 0; j < packed.rows; ++j) total += packed.span(j).end - packed.span(j).begin;
+  std::vector<int> first = {0};
+  long sum = 0;
+  for (int j = 0; j < packed.rows; ++j) {
+    sum += packed.span(j).end - packed.span(j).begin;
+    if (sum * threads >= total * static_cast<long>(first.size()) && static_cast<int>(first.size()) < threads)
+      first.push_back(j + 1);
+  }
+  first.resize(threads, packed.rows);
+  first.push_back(packed.rows);
+  return first;
+}
+
+}  // namespace
+
+struct FabricForces::Kernels {
+  const PackedMesh& packed;
+  double thickness;
+  std::array<YarnLawShape, 2> yarn_law;
+  ShearLawShape shear;
+  std::array<YarnKernels, 2> yarn;
+  CellKernels cell;
+  std::vector<int> block;
+  std::vector<Scratch> scratch;
+  std::array<std::array<Doubles, 3>, 2> loose_yarn_force;
+  std::array<Doubles, 3> loose_warp_force, loose_weft_force;
+
+  Kernels(const PackedMesh& packed_mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
+          const ModelSpec& model, int threads)
+      : packed(packed_mesh),
+        thickness(card.thickness),
+        yarn_law{shape_yarn_law(yarn_laws[0], card.yarn[0].compression_modulus * model.yarn_stiffness_scale, "warp"),
+                 shape_yarn_law(yarn_laws[1], card.yarn[1].compression_modulus * model.yarn_stiffness_scale, "weft")},
+        shear(shape_shear_law(card.shear)),
+        block(balanced_blocks(packed_mesh, threads)) {
+    const Section section = model.section == "constant" ? Section::constant : Section::incompressible;
+    for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(section, yarn_law[f].is_paper);
+    cell = cell_kernels(model.formulation == "contravariant" ? Formulation::contravariant : Formulation::energy,
+                        model.thickness == "constant" ? Thickness::constant : Thickness::constant_volume, shear.is_paper);
+    for (int t = 0; t < threads; ++t) scratch.emplace_back(packed.stride);
+    for (int c = 0; c < 3; ++c) {
+      for (int f = 0; f < 2; ++f) loose_yarn_force[f][c].resize(packed.loose_yarns[f].size());
+      loose_warp_force[c].resize(packed.loose_cells.size());
+      loose_weft_force[c].resize(packed.loose_cells.size());
+    }
+  }
+
+  [[nodiscard]] RowPair row_pair(const State& state, int row_a, int shift_b, int row_b) const {
+    RowPair rows{};
+    for (int c = 0; c < 3; ++c) {
+      rows.a[c] = state.position[c].data() + static_cast<std::size_t>(row_a) * packed.stride;
+      rows.b[c] = state.position[c].data() + static_cast<std::size_t>(row_b) * packed.stride + shift_b;
+    }
+    return rows;
+  }
+
+  static std::array<double*, 3> pointers(std::array<RowBuffer, 3>& buffers) {
+    return {buffers[0].data(), buffers[1].data(), buffers[2].data()};
+  }
+
+  void along_row(const State& state, int j, Scratch& s) const {
+    double* const t[3] = {s.along[0].data(), s.along[1].data(), s.along[2].data()};
+    const RowPair rows = row_pair(state, j, 1, j);
+    const double* area = packed.warp_section.data() + static_cast<std::size_t>(j) * packed.stride;
+    for (int r = packed.warp_runs.first[j]; r < packed.warp_runs.first[j + 1]; ++r)
+      yarn[0].row(yarn_law[0].pointer(), rows, packed.spacing[0], area, packed.warp_runs.run[r].begin,
+                  packed.warp_runs.run[r].end, t);
+  }
+
+  // Weft elements and cells between rows j and j+1.
+  void between_rows(const State& state, int j, Run range, Scratch& s) const {
+    for (auto* buffers : {&s.across, &s.p, &s.q})
+      for (auto& buffer : *buffers) buffer.clear(range);
+    if (j + 1 >= packed.rows) return;
+    const RowPair rows = row_pair(state, j, 0, j + 1);
+    const auto offset = static_cast<std::size_t>(j) * packed.stride;
+    double* const t[3] = {s.across[0].data(), s.across[1].data(), s.across[2].data()};
+    for (int r = packed.weft_runs.first[j]; r < packed.weft_runs.first[j + 1]; ++r)
+      yarn[1].row(yarn_law[1].pointer(), rows, packed.spacing[1], packed.weft_section.data() + offset,
+                  packed.weft_runs.run[r].begin, packed.weft_runs.run[r].end, t);
+    const CellRowOutput out{{s.p[0].data(), s.p[1].data(), s.p[2].data()}, {s.q[0].data(), s.q[1].data(), s.q[2].data()}};
+    for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r)
+      cell.row(shear.pointer(), rows, 1.0 / packed.spacing[0], 1.0 / packed.spacing[1], packed.cell_area.data() + offset,
+               thickness, packed.cell_runs.run[r].begin, packed.cell_runs.run[r].end, out);
+  }
+
+  [[nodiscard]] Run reach(int j) const {
+    return united(packed.span(j), j + 1 < packed.rows ? packed.span(j + 1) : Run{});
+  }
+
+  void lattice_block(State& state, int first, int last, Scratch& s) const {
+    if (first == last) return;
+    for (auto& buffer : s.carry) buffer.clear({0, packed.stride});
+    if (first > 0) {  // the block's first row also carries the elements below it, which its neighbour computes too
+      const Run range = reach(first - 1);
+      between_rows(state, first - 1, range, s);
+      for (int c = 0; c < 3; ++c)
+        carry_row(s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(), range.begin, range.end);
+    }
+    for (int j = first; j < last; ++j) {
+      const Run range = reach(j);
+      for (auto& buffer : s.along) buffer.clear(range);
+      along_row(state, j, s);
+      between_rows(state, j, range, s);
+      for (int c = 0; c < 3; ++c)
+        assemble_row(s.along[c].data(), s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(),
+                     state.force[c].data() + static_cast<std::size_t>(j) * packed.stride, range.begin, range.end);
+    }
+  }
+
+  void loose_yarn_forces(State& state, int family) {
+    const auto& yarns = packed.loose_yarns[family];
+    auto& force = loose_yarn_force[family];
+    const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
+    double* const t[3] = {force[0].data(), force[1].data(), force[2].data()};
+    yarn[family].loose(yarn_law[family].pointer(),
+                       {yarns.size(), yarns.node0.data(), yarns.node1.data(), yarns.length.data(), yarns.jaw.data(),
+                        yarns.section.data()},
+                       x, t);
+    for (int c = 0; c < 3; ++c) {
+      double* f = state.force[c].data();
+      for (int e = 0; e < yarns.size(); ++e) {
+        f[yarns.node0[e]] += t[c][e];
+        f[yarns.node1[e]] -= t[c][e];
+      }
+    }
+  }
+
+  void loose_cell_forces(State& state) {
+    const auto& cells = packed.loose_cells;
+    if (cells.size() == 0) return;
+    const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
+    double* const warp[3] = {loose_warp_force[0].data(), loose_warp_force[1].data(), loose_warp_force[2].data()};
+    double* const weft[3] = {loose_weft_force[0].data(), loose_weft_force[1].data(), loose_weft_force[2].data()};
+    cell.loose(shear.pointer(),
+               {cells.size(), cells.node[0].data(), cells.warp_coefficient[0].data(), cells.weft_coefficient[0].data(),
+                cells.area.data()},
+               thickness, x, warp, weft);
+    for (int c = 0; c < 3; ++c) {
+      double* f = state.force[c].data();
+      for (int e = 0; e < cells.size(); ++e)
+        for (int a = 0; a < LooseCells::width; ++a)
+          f[cells.node[e][a]] -=
+              cells.warp_coefficient[e][a] * warp[c][e] + cells.weft_coefficient[e][a] * weft[c][e];
+    }
+  }
+};
+
+FabricForces::FabricForces(const PackedMesh& packed, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
+                           const ModelSpec& model, int threads)
+    : kernels_(std::make_unique<Kernels>(packed, card, yarn_laws, model, threads)) {}
+
+FabricForces::~FabricForces() = default;
+
+void FabricForces::compute(State& state) {
+  auto& k = *kernels_;
+  const int blocks = static_cast<int>(k.scratch.size());
+#pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
+  for (int b = 0; b < blocks; ++b) k.lattice_block(state, k.block[b], k.block[b + 1], k.scratch[b]);
+  for (int c = 0; c < 3; ++c) std::fill(state.force[c].begin() + k.packed.lattice_nodes(), state.force[c].end(), 0.0);
+  for (int f = 0; f < 2; ++f) k.loose_yarn_forces(state, f);
+  k.loose_cell_forces(state);
+}
+
+}  // namespace weaveform

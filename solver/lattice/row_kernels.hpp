@@ -1,0 +1,73 @@
+// The inner loop: elements begin <= i < end of one row. Compiled for the machine's own instruction set (this file's source
+// alone; it must include nothing whose inline code other files share).
+#pragma once
+
+#include "solver/element/kernel_law.hpp"
+#include "solver/element/shear_cell.hpp"
+#include "solver/element/yarn.hpp"
+
+namespace weaveform {
+
+// Read pointers of the three components at the first and the second row (or the same row shifted by one).
+struct RowPair {
+  const double* a[3];
+  const double* b[3];
+};
+
+// Yarn elements from a[i] to b[i]: t[c][i] = force on node a (N), the opposite on node b.
+using YarnRow = void (*)(const void* law, const RowPair& rows, double rest, const double* area, int begin, int end,
+                         double* const (&t)[3]);
+
+// Cells with corners lower[i], lower[i+1], upper[i], upper[i+1]:
+//   p[c][i] = force on lower[i]   (the opposite on upper[i+1])
+//   q[c][i] = force on upper[i]   (the opposite on lower[i+1])
+struct CellRowOutput {
+  double* p[3];
+  double* q[3];
+};
+using CellRow = void (*)(const void* shear, const RowPair& rows, double inverse_spacing1, double inverse_spacing2,
+                         const double* area, double thickness, int begin, int end, const CellRowOutput& out);
+
+// Loose elements (yarn ends, cut cells), one by one in vector lanes by gathering.
+struct LooseYarnView {
+  int count;
+  const int *node0, *node1;
+  const double *length, *jaw, *section;
+};
+using LooseYarnLoop = void (*)(const void* law, const LooseYarnView& yarns, const double* const (&x)[3],
+                               double* const (&t)[3]);
+struct LooseCellView {
+  int count;
+  const int* node;             // width per cell
+  const double *warp, *weft;   // coefficients, width per cell
+  const double* area;
+};
+using LooseCellLoop = void (*)(const void* shear, const LooseCellView& cells, double thickness, const double* const (&x)[3],
+                               double* const (&warp_force)[3], double* const (&weft_force)[3]);
+
+struct YarnKernels {
+  YarnRow row;
+  LooseYarnLoop loose;
+};
+struct CellKernels {
+  CellRow row;
+  LooseCellLoop loose;
+};
+
+// `paper` says that the law at hand is a PaperLaw (or KernelShear<PaperShearLaw>); otherwise the general shape.
+[[nodiscard]] YarnKernels yarn_kernels(Section section, bool paper);
+[[nodiscard]] CellKernels cell_kernels(Formulation formulation, Thickness thickness, bool paper);
+
+// f[i] = along[i] - along[i-1] + p[i] - q[i-1] + across[i] + carry[i], and the carry for the next row,
+// carry[i] = q[i] - p[i-1] - across[i]; arrays are readable at begin - 1.
+void assemble_row(const double* along, const double* across, const double* p, const double* q, double* carry, double* force,
+                  int begin, int end);
+void carry_row(const double* across, const double* p, const double* q, double* carry, int begin, int end);
+
+// One leapfrog step of nodes begin <= n < end in one component (Newmark 1959, beta = 0, velocities at half steps):
+//   v+ = keep * v- + kick * f / m ,   x+ = x + drift * v+
+// and, into `sums`, m v0^2 with v0 = (v- + v+)/2, in eight fixed lanes.
+void advance(const double* inverse_mass, const double* mass, const double* force, double* velocity, double* position,
+             double keep, double kick, double drift, int begin, int end, double* sums);
+
+}  // namespace weaveform

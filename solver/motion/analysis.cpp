@@ -1,0 +1,313 @@
+#include "solver/motion/analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <thread>
+
+#include "mesher/base/error.hpp"
+#include "solver/motion/interrupt.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr int check_interval = 500;          // steps between looks at the stable step and at wrong states
+constexpr double torn_strain = 0.5;          // a yarn never bears this; the stable step is bounded up to here
+constexpr int cells_worth_a_thread = 20000;  // below, a second thread costs more than it brings (./dev bench)
+constexpr double start_fraction = 0.1;       // of the duration; kinetic/internal is judged after it
+
+int choose_threads(int wanted, int cells) {
+  if (wanted > 0) return wanted;
+  const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::clamp(cells / cells_worth_a_thread, 1, machine);
+}
+
+double along(const Vec3& force, const Vec3& direction) {
+  return force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
+}
+
+}  // namespace
+
+Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory,
+                   const SolveOptions& options)
+    : mesh_(mesh),
+      scene_(scene),
+      card_(card),
+      directory_(std::move(directory)),
+      options_(options),
+      threads_(choose_threads(options.threads, mesh.cells.size())),
+      yarn_laws_(yarn_laws(card, scene.model)),
+      packed_(pack_mesh(mesh)),
+      state_(initial_state(packed_, mesh)),
+      grips_(make_grips(scene, mesh, packed_)),
+      forces_(packed_, card, yarn_laws_, scene.model, threads_),
+      critical_step_(mesh, card, yarn_laws_, scene.model, held_nodes(grips_, mesh, packed_)),
+      internal_energy_(mesh, card, yarn_laws_, scene.model),
+      loading_(choose_loading(scene, card)),
+      duration_(loading_.duration),
+      motion_(packed_, loading_.damping, threads_),
+      recorder_(grips_, make_probes(scene, mesh), duration_, scene.output.history),
+      row_schedule_(duration_, scene.output.history),
+      frame_schedule_(duration_, scene.output.frames),
+      progress_("solve", options.quiet),
+      displacement_(grips_.size(), 0.0),
+      displacement_next_(grips_.size(), 0.0),
+      grip_force_(grips_.size(), 0.0),
+      grip_force_before_(grips_.size(), 0.0),
+      grip_displacement_before_(grips_.size(), 0.0),
+      started_(std::chrono::steady_clock::now()) {}
+
+SolveResult Analysis::run() {
+  const InterruptWatch interrupt;
+  if (options_.resume)
+    resume();
+  else
+    perturb();
+  if (!directory_.empty()) frames_ = std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0);
+  forces_.compute(state_);
+  if (!options_.resume) balance_.start = balance_.internal = internal_energy_(mesh_positions(packed_, state_));
+  for (;;) {
+    if (state_.step % check_interval == 0 || step_ == 0.0) {
+      renew_step();
+      check_state();
+      report_progress();
+    }
+    open_outputs();
+    const bool last = finished();
+    move(last);
+    if (row_open_) close_row();
+    if (last) break;
+    forces_.compute(state_);
+    if (InterruptWatch::requested()) leave_checkpoint();
+  }
+  recorder_.finish();
+  progress_.finish(fmt::format("{} steps", state_.step));
+  return result();
+}
+
+void Analysis::renew_step() {
+  const double previous = step_;
+  stable_ = critical_step_(mesh_positions(packed_, state_));
+  step_ = scene_.analysis.step_factor * stable_.step;
+  if (previous == 0.0) step_before_ = 0.0;
+  if (smallest_step_ == 0.0 || step_ < smallest_step_) {
+    smallest_step_ = step_;
+    step_set_by_ = stable_.set_by;
+  }
+  if (scene_.analysis.step_check && scene_.analysis.step_factor > 1.0)
+    fail(fmt::format("step {:.4g} s is above the stable step {:.4g} s set by the {}; set analysis.step_factor to 1 or less "
+                     "(now {}), or analysis.step_check = false to see what happens",
+                     step_, stable_.step, stable_.set_by, scene_.analysis.step_factor));
+}
+
+void Analysis::open_outputs() {
+  const double time = state_.time;
+  const bool row_due = row_schedule_.due(time), frame_due = frame_schedule_.due(time);
+  for (std::size_t g = 0; g < grips_.size(); ++g)
+    displacement_[g] = grips_[g].travel * smooth_step(time / duration_);
+  if (!row_due && !frame_due) return;
+  fields_ = compute_fields(mesh_, card_, scene_.model, time, mesh_positions(packed_, state_));
+  if (frame_due) {
+    if (frames_) frames_->write(fields_);
+    frame_schedule_.advance(time);
+  }
+  if (row_due) {
+    balance_.internal = internal_energy_(fields_.position);
+    folded_ = std::max(folded_, static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true)));
+    row_schedule_.advance(time);
+    row_open_ = true;
+  }
+}
+
+void Analysis::move(bool last) {
+  const double step = last ? step_ : std::min(step_, duration_ - state_.time);
+  for (std::size_t g = 0; g < grips_.size(); ++g)
+    displacement_next_[g] = grips_[g].travel * smooth_step((state_.time + step) / duration_);
+  // the last step only tells the velocities and reactions at the end; its motion is taken back
+  const Components end_position = last ? state_.position : Components{};
+  const auto& outcome = motion_.advance(state_, grips_, displacement_, displacement_next_, step_before_, step);
+  if (last) state_.position = end_position;
+
+  for (std::size_t g = 0; g < grips_.size(); ++g) {
+    grip_force_[g] = along(outcome.grip_force[g], grips_[g].direction);
+    balance_.external += 0.5 * (grip_force_before_[g] + grip_force_[g]) * (displacement_[g] - grip_displacement_before_[g]);
+    grip_displacement_before_[g] = displacement_[g];
+    grip_force_before_[g] = grip_force_[g];
+  }
+  const double damping_power = 2.0 * loading_.damping * outcome.kinetic;
+  balance_.damping += 0.5 * (damping_power_before_ + damping_power) * step_before_;
+  damping_power_before_ = damping_power;
+  balance_.kinetic = outcome.kinetic;
+  recorder_.add_forces(state_.time, outcome.kick, grip_force_);
+  if (last) return;
+  state_.time = state_.time + step >= duration_ ? duration_ : state_.time + step;
+  ++state_.step;
+  step_before_ = step;
+}
+
+void Analysis::close_row() {
+  row_open_ = false;
+  balance_.note_greatest();
+  const double error = balance_.error();
+  // the row's forces follow when their window closes; this step's open the next window when it is later than that
+  recorder_.add_row(fields_.time, displacement_, fields_, balance_);
+  if (fields_.time > start_fraction * duration_) {
+    worst_error_ = std::max(worst_error_, error);
+    if (balance_.internal > 0.0) worst_ratio_ = std::max(worst_ratio_, balance_.kinetic / balance_.internal);
+    if (!(error <= scene_.analysis.energy_limit))
+      fail(fmt::format("the energy balance is off by {:.3g} % of the greatest energy (limit {:.3g} %): internal {:.4g}, kinetic "
+                       "{:.4g}, damping {:.4g}, external {:.4g} mJ; lower analysis.step_factor (now {})",
+                       100.0 * error, 100.0 * scene_.analysis.energy_limit, balance_.internal, balance_.kinetic,
+                       balance_.damping, balance_.external, scene_.analysis.step_factor));
+  }
+}
+
+void Analysis::check_state() {
+  for (int n = 0; n < mesh_.node_count(); ++n) {
+    const int p = packed_.packed_of_mesh[n];
+    if (!std::isfinite(state_.position[0][p] + state_.position[1][p] + state_.position[2][p]))
+      fail(fmt::format("the position of node {} is not a number; lower analysis.step_factor (now {})", n,
+                       scene_.analysis.step_factor));
+  }
+  for (int e = 0; e < mesh_.yarn_count(); ++e) {
+    double square = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const double d = state_.position[c][packed_.packed_of_mesh[mesh_.yarns.node[e][1]]] -
+                       state_.position[c][packed_.packed_of_mesh[mesh_.yarns.node[e][0]]];
+      square += d * d;
+    }
+    const double rest = mesh_.yarns.rest_length[e] + mesh_.yarns.jaw[e];
+    const double strain = std::log((std::sqrt(square) + mesh_.yarns.jaw[e]) / rest);
+    // a perturbed start may stretch yarns by its own size
+    if (strain > torn_strain + std::log1p(2.0 * std::numbers::sqrt2 * scene_.analysis.perturbation / rest))
+      fail(fmt::format("{} yarn element {} (nodes {}, {}) is stretched to a true strain of {:.3g}: the analysis is unstable "
+                       "(lower analysis.step_factor, now {}) or the scene tears the fabric",
+                       mesh_.yarns.family[e] == Family::warp ? "warp" : "weft", e, mesh_.yarns.node[e][0],
+                       mesh_.yarns.node[e][1], strain, scene_.analysis.step_factor));
+  }
+}
+
+void Analysis::perturb() {
+  const double size = scene_.analysis.perturbation;
+  if (size <= 0.0) return;
+  std::vector<char> gripped(packed_.nodes, 0);
+  for (const auto& grip : grips_)
+    for (const int n : grip.node) gripped[n] = 1;
+  // in the plane of the blank, evenly spread over [-size, size] in both directions; the generator's own bits, so that every
+  // standard library gives the same start
+  std::mt19937_64 generator(static_cast<std::uint64_t>(scene_.analysis.perturbation_seed));
+  const auto draw = [&] { return size * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0); };
+  for (const int n : packed_.packed_of_mesh) {
+    const double dx = draw(), dy = draw();
+    if (gripped[n] != 0) continue;
+    state_.position[0][n] += dx;
+    state_.position[1][n] += dy;
+  }
+}
+
+std::string Analysis::identity() const {
+  return fmt::format("{} nodes, {} yarns, {} cells, {} {} {}, duration {:.17g}, damping {:.17g}, factor {:.17g}, rows {}, frames {}",
+                     mesh_.node_count(), mesh_.yarn_count(), mesh_.cells.size(), card_.name, scene_.model.formulation,
+                     scene_.model.thickness, duration_, loading_.damping, scene_.analysis.step_factor, scene_.output.history,
+                     scene_.output.frames);
+}
+
+void Analysis::leave_checkpoint() {
+  if (directory_.empty()) throw Interrupted("interrupted");
+  const Checkpoint checkpoint{.state = state_,
+                              .step_before = step_before_,
+                              .step = step_,
+                              .smallest_step = smallest_step_,
+                              .power_before = damping_power_before_,
+                              .force_before = grip_force_before_,
+                              .displacement_before = grip_displacement_before_,
+                              .wall_s = wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
+                              .next_row = row_schedule_.index(),
+                              .next_frame = frame_schedule_.index(),
+                              .balance = balance_,
+                              .worst_error = worst_error_,
+                              .worst_ratio = worst_ratio_,
+                              .folded = folded_,
+                              .path = internal_energy_.path(),
+                              .history = recorder_.history(),
+                              .window = recorder_.window()};
+  const auto file = directory_ / "checkpoint.bin";
+  write_checkpoint(checkpoint, identity(), file);
+  write_history(recorder_.history(), directory_ / "history.csv");
+  throw Interrupted(fmt::format("stopped at t = {:.4g} s of {:.4g} s, step {}; go on with --resume ({})", state_.time, duration_,
+                                state_.step, file.string()));
+}
+
+void Analysis::resume() {
+  Checkpoint checkpoint = read_checkpoint(identity(), directory_ / "checkpoint.bin");
+  state_ = std::move(checkpoint.state);
+  step_before_ = checkpoint.step_before;
+  step_ = checkpoint.step;
+  smallest_step_ = checkpoint.smallest_step;
+  damping_power_before_ = checkpoint.power_before;
+  grip_force_before_ = std::move(checkpoint.force_before);
+  grip_displacement_before_ = std::move(checkpoint.displacement_before);
+  wall_before_ = checkpoint.wall_s;
+  row_schedule_.set_index(checkpoint.next_row);
+  frame_schedule_.set_index(checkpoint.next_frame);
+  balance_ = checkpoint.balance;
+  worst_error_ = checkpoint.worst_error;
+  worst_ratio_ = checkpoint.worst_ratio;
+  folded_ = checkpoint.folded;
+  internal_energy_.set_path(std::move(checkpoint.path));
+  recorder_.restore(std::move(checkpoint.history), std::move(checkpoint.window));
+}
+
+void Analysis::report_progress() {
+  const double fraction = state_.time / duration_;
+  if (!progress_.due(fraction)) return;
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  const double rate = wall > 0.0 ? static_cast<double>(state_.step) * mesh_.cells.size() / wall : 0.0;
+  progress_.update(fraction, fmt::format("step {}  {:.1f} M cell-steps/s  kinetic/internal {:.2g}", state_.step, 1e-6 * rate,
+                                         balance_.internal > 0.0 ? balance_.kinetic / balance_.internal : 0.0));
+}
+
+void Analysis::fail(const std::string& what) const {
+  if (!directory_.empty()) write_history(recorder_.history(), directory_ / "history.csv");
+  throw PhysicsError(fmt::format("at t = {:.4g} s, step {}: {}", state_.time, state_.step, what));
+}
+
+SolveResult Analysis::result() {
+  SolveResult result;
+  result.history = recorder_.history();
+  result.position = fields_.position;
+  auto& s = result.statistics;
+  s.cells = mesh_.cells.size();
+  s.nodes = mesh_.node_count();
+  s.yarns = mesh_.yarn_count();
+  s.steps = state_.step;
+  s.duration_s = duration_;
+  s.wall_s = wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  s.cell_steps_per_s = static_cast<double>(s.steps) * s.cells / s.wall_s;
+  s.step_s = smallest_step_;
+  s.step_set_by = step_set_by_;
+  s.damping_per_s = loading_.damping;
+  s.energy_error = worst_error_;
+  s.kinetic_to_internal = worst_ratio_;
+  s.damping_work_mJ = balance_.damping;
+  for (const double angle : fields_.shear_angle) {
+    const double degrees = std::abs(angle) * 180.0 / std::numbers::pi;
+    s.max_shear_angle_deg = std::max(s.max_shear_angle_deg, degrees);
+    s.cells_beyond_card += degrees > card_.shear.valid_to_deg ? 1 : 0;
+  }
+  for (const double strain : fields_.yarn_strain) s.max_yarn_strain = std::max(s.max_yarn_strain, strain);
+  s.folded_cells = folded_;
+  s.folded_cells_at_end = static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true));
+  s.threads = threads_;
+  if (!directory_.empty()) {
+    write_history(result.history, directory_ / "history.csv");
+    write_statistics(s, directory_ / "solve.json");
+    std::filesystem::remove(directory_ / "checkpoint.bin");
+  }
+  return result;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,82 @@
+// One explicit analysis from its first to its last step.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesher/base/progress.hpp"
+#include "solver/lattice/forces.hpp"
+#include "solver/motion/checkpoint.hpp"
+#include "solver/motion/critical_step.hpp"
+#include "solver/motion/grips.hpp"
+#include "solver/motion/loading.hpp"
+#include "solver/motion/motion.hpp"
+#include "solver/motion/recorder.hpp"
+#include "solver/motion/schedule.hpp"
+#include "solver/solve.hpp"
+
+namespace weaveform {
+
+class Analysis {
+public:
+  Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory, const SolveOptions& options);
+  SolveResult run();
+
+private:
+  // The loop, in the order of the theory: step length, outputs due, motion, forces.
+  void renew_step();
+  void open_outputs();
+  void close_row();
+  void move(bool last);
+  void check_state();
+  [[nodiscard]] bool finished() const { return state_.time >= duration_ * (1.0 - 1e-12); }
+
+  void perturb();
+  void resume();
+  void leave_checkpoint();
+  void report_progress();
+  [[nodiscard]] std::string identity() const;
+  [[nodiscard]] SolveResult result();
+  [[noreturn]] void fail(const std::string& what) const;
+
+  const Mesh& mesh_;
+  const Scene& scene_;
+  const Card& card_;
+  std::filesystem::path directory_;
+  SolveOptions options_;
+  int threads_;
+
+  std::array<TangentLaw, 2> yarn_laws_;
+  PackedMesh packed_;
+  State state_;
+  std::vector<Grip> grips_;
+  FabricForces forces_;
+  CriticalStep critical_step_;
+  InternalEnergy internal_energy_;
+  Loading loading_;
+  double duration_;
+  Motion motion_;
+  Recorder recorder_;
+  Schedule row_schedule_, frame_schedule_;
+  std::unique_ptr<FrameWriter> frames_;
+  Progress progress_;
+
+  EnergyBalance balance_;
+  StableStep stable_;
+  double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
+  std::string step_set_by_;
+  bool row_open_ = false;
+  Fields fields_;  // of the open row or frame
+  std::vector<double> displacement_, displacement_next_;  // mm; per grip
+  std::vector<double> grip_force_, grip_force_before_;    // N; per grip, along its direction
+  std::vector<double> grip_displacement_before_;          // mm; at the step before
+  double damping_power_before_ = 0.0;                     // mJ/s
+  double worst_error_ = 0.0, worst_ratio_ = 0.0;
+  int folded_ = 0;
+  double wall_before_ = 0.0;  // s; of the runs before this one was resumed
+  std::chrono::steady_clock::time_point started_;
+};
+
+}  // namespace weaveform

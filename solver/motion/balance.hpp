@@ -1,0 +1,26 @@
+// The energy balance of a run: internal + kinetic + damping work - external work keeps its start value.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace weaveform {
+
+struct EnergyBalance {
+  double internal = 0.0;  // mJ; stored in the fabric
+  double kinetic = 0.0;   // mJ
+  double damping = 0.0;   // mJ; work done against mass-proportional damping
+  double external = 0.0;  // mJ; work done by the grips
+  double start = 0.0;     // mJ; internal energy at time 0
+  double greatest = 0.0;  // mJ; greatest of the four so far
+
+  void note_greatest() {
+    greatest = std::max({greatest, std::abs(internal), kinetic, damping, std::abs(external), std::abs(start)});
+  }
+  // Relative to the greatest energy so far.
+  [[nodiscard]] double error() const {
+    return greatest > 0.0 ? std::abs(internal + kinetic + damping - external - start) / greatest : 0.0;
+  }
+};
+
+}  // namespace weaveform

@@ -1,0 +1,35 @@
+// checkpoint.bin: everything an interrupted analysis needs to go on with the same bits.
+#pragma once
+
+#include <filesystem>
+
+#include "solver/lattice/state.hpp"
+#include "solver/motion/balance.hpp"
+#include "solver/motion/energy.hpp"
+#include "solver/motion/recorder.hpp"
+
+namespace weaveform {
+
+struct Checkpoint {
+  State state;                     // position, velocity, time, step (forces are computed again)
+  double step_before = 0.0;        // s; length of the step just taken
+  double step = 0.0;               // s; length of the next one
+  double smallest_step = 0.0;      // s
+  double power_before = 0.0;       // mJ/s; damping power at the last step
+  std::vector<double> force_before;  // N; grips' forces at the last step
+  std::vector<double> displacement_before;  // mm; grips' displacement at the last step
+  double wall_s = 0.0;
+  int next_row = 0, next_frame = 0;
+  EnergyBalance balance;
+  double worst_error = 0.0, worst_ratio = 0.0;
+  int folded = 0;
+  InternalEnergy::Path path;
+  History history;
+  Recorder::Window window;
+};
+
+// `identity` ties the file to its mesh and scene; reading a checkpoint with another identity throws InputError.
+void write_checkpoint(const Checkpoint& checkpoint, const std::string& identity, const std::filesystem::path& file);
+[[nodiscard]] Checkpoint read_checkpoint(const std::string& identity, const std::filesystem::path& file);
+
+}  // namespace weaveform

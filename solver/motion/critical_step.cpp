@@ -1,0 +1,83 @@
+#include "solver/motion/critical_step.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace weaveform {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d vector(const Vec3& a) { return {a[0], a[1], a[2]}; }
+
+double greatest_eigenvalue(const Matrix3d& matrix) {
+  Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
+  solver.computeDirect(matrix, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()(2);
+}
+
+}  // namespace
+
+CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
+                           const ModelSpec& model, std::vector<char> held)
+    : mesh_(mesh), shear_(card.shear), yarn_stiffness_(mesh.yarn_count()), held_(std::move(held)) {
+  std::array<double, 2> stiffest{};
+  for (int f = 0; f < 2; ++f)
+    // up to 50 % strain: far beyond what a yarn bears; the run stops there (see the checks of the time loop)
+    stiffest[f] = std::max(yarn_laws[f].stiffest(0.0, 0.5), card.yarn[f].compression_modulus * model.yarn_stiffness_scale);
+  for (int e = 0; e < mesh.yarn_count(); ++e)
+    yarn_stiffness_[e] = stiffest[mesh.yarns.family[e] == Family::warp ? 0 : 1] * mesh.yarns.section[e] *
+                         mesh.yarns.softening[e] / (mesh.yarns.rest_length[e] + mesh.yarns.jaw[e]);
+}
+
+StableStep CriticalStep::operator()(const std::vector<Vec3>& position) const {
+  std::vector<Matrix3d> bound(mesh_.node_count(), Matrix3d::Zero());
+  for (int e = 0; e < mesh_.yarn_count(); ++e) {
+    const auto [a, b] = mesh_.yarns.node[e];
+    const Vector3d along = (vector(position[b]) - vector(position[a])).normalized();
+    const Matrix3d stiffness = yarn_stiffness_[e] * along * along.transpose();
+    bound[a] += (held_[b] ? 1.0 : 2.0) * stiffness;
+    bound[b] += (held_[a] ? 1.0 : 2.0) * stiffness;
+  }
+  std::vector<double> cell_rows(mesh_.node_count(), 0.0);
+  for (int c = 0; c < mesh_.cells.size(); ++c) {
+    const int begin = mesh_.cells.offset[c], end = mesh_.cells.offset[c + 1];
+    Vector3d g1 = Vector3d::Zero(), g2 = Vector3d::Zero();
+    for (int a = begin; a < end; ++a) {
+      const Vector3d x = vector(position[mesh_.cells.node[a]]);
+      g1 += mesh_.cells.coefficient[a][0] * x;
+      g2 += mesh_.cells.coefficient[a][1] * x;
+    }
+    const double length1 = g1.norm(), length2 = g2.norm();
+    const double s = std::clamp(g1.dot(g2) / (length1 * length2), -1.0 + 1e-9, 1.0 - 1e-9);
+    const double log_strain = std::atanh(s);
+    // w(s): dw/ds = sigma, d2w/ds2 = C_sh / (1 - s^2); |ds/dx_a| <= cos(gamma) r_a, |d2s/dx_a dx_b| <= 3 r_a r_b,
+    // with r_a = |c1_a|/|g1| + |c2_a|/|g2|
+    const double factor = mesh_.cells.area[c] * mesh_.thickness *
+                          (std::abs(shear_tangent(shear_, log_strain)) + 3.0 * std::abs(shear_stress(shear_, log_strain)));
+    double sum = 0.0;
+    for (int a = begin; a < end; ++a)
+      sum += std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2;
+    for (int a = begin; a < end; ++a)
+      cell_rows[mesh_.cells.node[a]] +=
+          factor * sum *
+          (std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2);
+  }
+  double greatest = 0.0;
+  int at = -1;
+  for (int n = 0; n < mesh_.node_count(); ++n) {
+    if (held_[n]) continue;
+    const double lambda = (greatest_eigenvalue(bound[n]) + cell_rows[n]) / mesh_.nodes.mass[n];
+    if (lambda > greatest) {
+      greatest = lambda;
+      at = n;
+    }
+  }
+  const double step = greatest > 0.0 ? 2.0 / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
+  const bool cells = at >= 0 && cell_rows[at] > 0.5 * greatest * mesh_.nodes.mass[at];
+  return {step, (cells ? "shear cells at node " : "yarns at node ") + std::to_string(at)};
+}
+
+}  // namespace weaveform

@@ -1,0 +1,37 @@
+#include "solver/motion/loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/motion/grips.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr double sampled_to = 0.8813735870195430;  // gamma_L at 45 deg; few parts shear more
+constexpr int samples = 200;
+
+double least_shear_tangent(const ShearCard& card) {
+  double least = shear_tangent(card, 0.0);
+  for (int n = 1; n <= samples; ++n) least = std::min(least, shear_tangent(card, sampled_to * n / samples));
+  return std::max(least, 1e-3 * shear_tangent(card, 0.0));
+}
+
+}  // namespace
+
+Loading choose_loading(const Scene& scene, const Card& card) {
+  const double length = std::max(scene.blank.size[0], scene.blank.size[1]);
+  const double shear_stiffness = least_shear_tangent(card.shear) * card.thickness;  // N/mm
+  Loading loading;
+  loading.crossing_time = length * std::sqrt(card.area_density() / shear_stiffness);
+  double travel = 0.0;
+  for (const auto& grip : scene.grip) travel = std::max(travel, std::abs(grip.travel));
+  loading.duration = default_crossings * loading.crossing_time;
+  if (scene.analysis.duration) loading.duration = *scene.analysis.duration;
+  if (scene.analysis.loading_speed && travel > 0.0)
+    loading.duration = smooth_step_greatest_slope * travel / *scene.analysis.loading_speed;
+  loading.damping = scene.analysis.damping.value_or(default_decays / loading.duration);
+  return loading;
+}
+
+}  // namespace weaveform

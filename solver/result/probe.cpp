@@ -1,0 +1,80 @@
+#include "solver/result/probe.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesher/base/error.hpp"
+
+namespace weaveform {
+namespace {
+
+std::array<double, 4> box_of(const MeasureSpec& measure, const BlankSpec& blank) {
+  if (measure.box) return *measure.box;
+  std::array<double, 4> box = measure.relative_box.value_or(std::array<double, 4>{-1e9, -1e9, 1e9, 1e9});
+  for (auto& side : box) side *= blank.size[0];
+  return box;
+}
+
+}  // namespace
+
+std::array<double, 2> blank_coordinates(const BlankSpec& blank, const Vec3& world) {
+  const double angle = blank.orientation * std::numbers::pi / 180.0;
+  const double x = world[0] - blank.position[0], y = world[1] - blank.position[1];
+  return {std::cos(angle) * x + std::sin(angle) * y, -std::sin(angle) * x + std::cos(angle) * y};
+}
+
+std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh) {
+  std::vector<std::array<double, 2>> centre(mesh.cells.size());
+  for (int c = 0; c < mesh.cells.size(); ++c) {
+    Vec3 sum{};
+    const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
+    for (int a = begin; a < end; ++a)
+      for (int k = 0; k < 3; ++k) sum[k] += mesh.nodes.position[mesh.cells.node[a]][k] / (end - begin);
+    centre[c] = blank_coordinates(scene.blank, sum);
+  }
+  std::vector<Probe> probes;
+  for (const auto& measure : scene.measure) {
+    const auto box = box_of(measure, scene.blank);
+    Probe probe{.name = measure.name, .cell = {}, .weight = {}};
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+      const auto [x, y] = centre[c];
+      if (x < box[0] || x > box[2] || y < box[1] || y > box[3]) continue;
+      probe.cell.push_back(c);
+      probe.weight.push_back(mesh.cells.area[c]);
+    }
+    if (probe.cell.empty())
+      throw InputError(
+          fmt::format("measure '{}': no cell's centre lies in its box [{}, {}, {}, {}] mm; enlarge the box or "
+                      "refine the mesh (blank.coarsening)",
+                      measure.name, box[0], box[1], box[2], box[3]));
+    probes.push_back(std::move(probe));
+  }
+  return probes;
+}
+
+ShearStatistics shear_statistics(const Probe& probe, const Fields& fields) {
+  double weight = 0.0, sum = 0.0;
+  ShearStatistics result;
+  result.least = 1e9;
+  result.greatest = -1e9;
+  for (std::size_t k = 0; k < probe.cell.size(); ++k) {
+    const double angle = fields.shear_angle[probe.cell[k]] * 180.0 / std::numbers::pi;
+    weight += probe.weight[k];
+    sum += probe.weight[k] * angle;
+    result.least = std::min(result.least, angle);
+    result.greatest = std::max(result.greatest, angle);
+  }
+  result.mean = sum / weight;
+  double square = 0.0;
+  for (std::size_t k = 0; k < probe.cell.size(); ++k) {
+    const double off = fields.shear_angle[probe.cell[k]] * 180.0 / std::numbers::pi - result.mean;
+    square += probe.weight[k] * off * off;
+  }
+  result.deviation = std::sqrt(square / weight);
+  return result;
+}
+
+}  // namespace weaveform
