@@ -6,54 +6,82 @@
 #include <string>
 #include <vector>
 
+#include "mesher/base/key_info.hpp"
 #include "mesher/material/law.hpp"
 
 namespace weaveform {
 
 struct YarnCard {
-  double linear_density = 0.0;       // tonne/mm (1 tex = 1e-12 tonne/mm... files give tex)
-  double section = 0.0;              // mm^2; given, or Eq. 11 from linear density, fibre volume fraction and densities
-  double interval = 0.0;             // mm; spacing between neighbouring yarns of this family
-  double crimp = 0.0;                // 1; (yarn length - fabric length) / fabric length
-  TangentLaw tension;                // MPa against true strain, e >= 0 (Table 2)
-  double linear_modulus = 0.0;       // MPa; tangent of the last piece
+  double linear_density = 0.0;  // tonne/mm; card files give tex, 1 tex = 1 g/km = 1e-12 tonne/mm
+  double section = 0.0;         // mm^2; given, or Eq. 11 from linear density, fibre volume fraction and densities
+  double interval = 0.0;        // mm; spacing between neighbouring yarns of this family
+  double crimp = 0.0;           // 1; (yarn length - fabric length) / fabric length
+  TangentLaw tension;           // MPa against true strain, e >= 0 (Table 2)
+  double linear_modulus = 0.0;  // MPa; tangent of the last piece: at its end, or where it begins when it has no end
   double compression_modulus = 0.0;  // MPa; for e < 0; default 1 % of the linear modulus (ours: the paper gives none)
+  bool operator==(const YarnCard&) const = default;
 };
 
-// Friction-like start of a shear curve, added to the polynomial: stress = plateau * g / (g + rise), g = |log shear strain|.
+// Friction-like start of a shear curve, added to the polynomial: stress = plateau * g / (g + rise), g = |log shear
+// strain|.
 struct ShearStart {
   double plateau = 0.0;  // MPa
   double rise = 0.0;     // 1
+  bool operator==(const ShearStart&) const = default;
 };
 
 struct ShearCard {
-  TangentLaw tangent;       // MPa against logarithmic engineering shear strain >= 0 (Table 3); odd in the strain's sign
-  ShearStart start;         // absent when plateau == 0
+  TangentLaw tangent;  // MPa against logarithmic engineering shear strain >= 0 (Table 3); odd in the strain's sign
+  ShearStart start;    // absent when plateau == 0
   double valid_to_deg = 60;  // deg; the shear angle up to which the law is meant to hold; the law is checked up to here
+  bool operator==(const ShearCard&) const = default;
 };
 
 struct Card {
   std::string name;
-  std::string source;          // where its numbers come from
-  double thickness = 0.0;      // mm; after consolidation (Table 1)
+  std::string source;            // where its numbers come from
+  double thickness = 0.0;        // mm; after consolidation (Table 1)
   std::array<YarnCard, 2> yarn;  // [0] warp, [1] weft
   ShearCard shear;
 
   // tonne/mm^2: sum over both families of linear density / interval
   [[nodiscard]] double area_density() const;
+  bool operator==(const Card&) const = default;
 };
 
-// Total shear stress of the card (MPa) at a signed logarithmic shear strain, and the stored energy per reference volume
-// w(gamma) = integral of stress d(sin gamma), sin gamma = tanh(strain) (design section 3), by quadrature to 1e-12.
+// Eq. 11: A = rho_yarn / (V_f rho_fibre + (1 - V_f) rho_matrix), mm^2, from tonne/mm and tonne/mm^3; no voids assumed.
+[[nodiscard]] double section_from_densities(double linear_density, double fibre_volume_fraction, double fibre_density,
+                                            double matrix_density);
+
+// Logarithmic shear strain at a shear angle (rad): integral of Eq. 6, gamma_L = atanh(sin gamma).
+[[nodiscard]] double log_shear_strain(double shear_angle);
+
+// Total shear stress and tangent of the card (MPa) at a signed logarithmic shear strain, and the stored energy per
+// reference volume (mJ/mm^3), w = integral of stress d(sin gamma) with sin gamma = tanh(strain), by quadrature to about
+// 1e-12.
 [[nodiscard]] double shear_stress(const ShearCard& card, double log_shear_strain);
 [[nodiscard]] double shear_tangent(const ShearCard& card, double log_shear_strain);
+[[nodiscard]] double shear_energy(const ShearCard& card, double log_shear_strain);
 
-// Card by built-in name ("twintex-pw", "twintex-tw") or by file, a relative path being looked up beside `relative_to`.
-// Throws InputError (every complaint, file:line:column) or FileError. Complaints include a tangent that turns negative in
-// the range its card claims.
+// Card by built-in name ("twintex-pw", "twintex-tw") or by file. A relative path is looked up beside `relative_to` (a
+// scene file, or a folder). Throws InputError (every complaint, file:line:column) or FileError. Complaints include a
+// tangent that turns negative in the range its card claims: tension up to a tenth past its last finite strain, shear up
+// to valid_to.
 [[nodiscard]] Card load_card(const std::string& name_or_path, const std::filesystem::path& relative_to = {});
+// The same from text in memory; `name` stands for the file in messages.
 [[nodiscard]] Card read_card_text(const std::string& text, const std::string& name);
+// The complete card as TOML; reading it back gives the same card, to the bit.
 [[nodiscard]] std::string card_to_toml(const Card& card);
+// Every valid key of a card file; `table` is "", "yarn" (also for yarn.warp and yarn.weft) or "shear".
+[[nodiscard]] std::vector<KeyInfo> card_keys();
+// docs/card.md, generated from the key table: every key of a card file.
+[[nodiscard]] std::string card_reference_markdown();
+
 [[nodiscard]] std::vector<std::string> builtin_card_names();
+[[nodiscard]] bool is_builtin_card(const std::string& name);
+// Whether a name that is no built-in card can only mean a file: it has a '/' or ends in .toml.
+[[nodiscard]] bool is_card_path(const std::string& name);
+// Where load_card looks for a card file.
+[[nodiscard]] std::filesystem::path card_path(const std::string& path, const std::filesystem::path& relative_to);
 
 }  // namespace weaveform

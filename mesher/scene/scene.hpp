@@ -1,5 +1,6 @@
 // What the user asked for: the scene as plain data. Units: mm, s, N, MPa, tonne; angles in degrees (a scene is a file).
-// The defaults below are the only place where defaults are written; schema.cpp names each key, its unit, type and range.
+// The defaults below are the only place where defaults are written; schema.cpp names each key, its unit, type and
+// range.
 #pragma once
 
 #include <array>
@@ -14,16 +15,19 @@ using Auto = std::optional<double>;
 
 struct FabricSpec {
   std::string material = "twintex-pw";  // built-in card name, or path of a card file (relative to the scene file)
+  bool operator==(const FabricSpec&) const = default;
 };
 
 struct BlankSpec {
   std::string shape = "rectangle";
-  std::array<double, 2> size = {115.0, 230.0};     // mm; extent along the blank's own x and y axes
-  double yarn_angle = 45.0;                        // deg; from the blank's x axis to the warp direction, counter-clockwise
-  std::array<double, 2> coarsening = {1.0, 1.0};   // yarns per model yarn, for warp and for weft yarns
-  std::array<double, 2> phase = {0.0, 0.0};        // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
-  double orientation = 0.0;                        // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
+  std::array<double, 2> size = {115.0, 230.0};  // mm; extent along the blank's own x and y axes
+  double yarn_angle = 45.0;                     // deg; from the blank's x axis to the warp direction, counter-clockwise
+  std::array<double, 2> coarsening = {1.0, 1.0};  // yarns per model yarn, for warp and for weft yarns
+  std::array<double, 2> phase = {
+      0.0, 0.0};             // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
+  double orientation = 0.0;  // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
   std::array<double, 3> position = {0.0, 0.0, 0.0};  // mm; where the blank's centre lies in the world
+  bool operator==(const BlankSpec&) const = default;
 };
 
 struct ModelSpec {
@@ -32,17 +36,21 @@ struct ModelSpec {
   std::string formulation = "energy";
   std::string thickness = "constant-volume";
   std::string section = "incompressible";
-  std::string yarn_law = "card";       // "card", or "linear": the card's linear modulus from zero strain on (decrimping taken out)
-  double yarn_stiffness_scale = 1.0;   // factor on all yarn moduli
+  std::string yarn_law =
+      "card";  // "card", or "linear": the card's linear modulus from zero strain on (decrimping taken out)
+  double yarn_stiffness_scale = 1.0;  // factor on all yarn moduli
+  bool operator==(const ModelSpec&) const = default;
 };
 
 struct GripSpec {
   std::string name;
-  std::string edge;                                 // "bottom", "top", "left", "right" of the blank; empty when box is given
-  std::optional<std::array<double, 4>> box;         // mm; xmin, ymin, xmax, ymax in the blank's frame (centre = origin)
-  double travel = 0.0;                              // mm; along direction, smooth-step over the duration
-  std::optional<std::array<double, 3>> direction;   // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
-  std::vector<std::string> free;                    // components left free, of "x", "y", "z" in the blank's frame
+  std::string edge;                          // "bottom", "top", "left", "right" of the blank; empty when box is given
+  std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax in the blank's frame (centre = origin)
+  double travel = 0.0;                       // mm; along direction, smooth-step over the duration
+  std::optional<std::array<double, 3>>
+      direction;                  // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
+  std::vector<std::string> free;  // components left free, of "x", "y", "z" in the blank's frame
+  bool operator==(const GripSpec&) const = default;
 };
 
 struct AnalysisSpec {
@@ -54,18 +62,22 @@ struct AnalysisSpec {
   double energy_limit = 0.05;  // the run fails when the energy-balance error passes this fraction
   double perturbation = 0.0;   // mm; random in-plane displacement of every free node at the start
   int perturbation_seed = 1;
+  bool operator==(const AnalysisSpec&) const = default;
 };
 
 struct OutputSpec {
-  int frames = 20;                     // result frames after the initial one
-  int history = 200;                   // rows of history.csv after the initial one
-  double contour_step = 5.0;           // deg; spacing of the shear-angle isolines
+  int frames = 20;            // result frames after the initial one
+  int history = 200;          // rows of history.csv after the initial one
+  double contour_step = 5.0;  // deg; spacing of the shear-angle isolines
+  bool operator==(const OutputSpec&) const = default;
 };
 
 struct MeasureSpec {
   std::string name;
-  std::optional<std::array<double, 4>> box;           // mm; xmin, ymin, xmax, ymax, blank frame, initial configuration
-  std::optional<std::array<double, 4>> relative_box;  // the same in units of the blank's width (size[0]), so that it follows the size
+  std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax, blank frame, initial configuration
+  std::optional<std::array<double, 4>>
+      relative_box;  // the same in units of the blank's width (size[0]), so that it follows the size
+  bool operator==(const MeasureSpec&) const = default;
 };
 
 struct Scene {
@@ -77,6 +89,7 @@ struct Scene {
   AnalysisSpec analysis;
   OutputSpec output;
   std::vector<MeasureSpec> measure;
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace weaveform

@@ -1,0 +1,107 @@
+#include "mesher/scene/check.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "mesher/base/nearest_name.hpp"
+#include "mesher/material/card.hpp"
+
+namespace weaveform {
+namespace {
+
+// The table of a [table] or of the index-th [[table]]; null when the file has no such thing.
+const toml::table* table_at(const toml::table& root, const char* name, std::size_t index) {
+  const toml::node* node = root.get(name);
+  if (node != nullptr && node->is_array()) node = node->as_array()->get(index);
+  return node == nullptr ? nullptr : node->as_table();
+}
+
+// Where a key stands, or its table when the key is not given.
+const toml::node& place_of(const toml::table& table, const char* key) {
+  const toml::node* node = table.get(key);
+  return node == nullptr ? table : *node;
+}
+
+void check_box(const std::array<double, 4>& box, const toml::table& table, const char* key, Complaints& complaints) {
+  if (box[0] < box[2] && box[1] < box[3]) return;
+  complaints.add(place_of(table, key), fmt::format("'{}' is [{}, {}, {}, {}]; it must be xmin < xmax and ymin < ymax",
+                                                   key, box[0], box[1], box[2], box[3]));
+}
+
+// Exactly one of two keys, judged by the file so that a key with a bad value is not called missing too.
+void check_one_of(const toml::table& table, const char* title, const char* one, const char* other,
+                  Complaints& complaints) {
+  if (table.contains(one) && table.contains(other)) {
+    complaints.add(place_of(table, other), fmt::format("{} has both '{}' and '{}'; keep one", title, one, other));
+  } else if (!table.contains(one) && !table.contains(other)) {
+    complaints.add(table, fmt::format("{} has neither '{}' nor '{}'; add one", title, one, other));
+  }
+}
+
+template <class Spec>
+void check_names(const std::vector<Spec>& specs, const toml::table& root, const char* list, Complaints& complaints) {
+  std::map<std::string, std::size_t> first;
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const toml::table* table = table_at(root, list, i);
+    if (table == nullptr || specs[i].name.empty() || first.emplace(specs[i].name, i).second) continue;
+    complaints.add(place_of(*table, "name"),
+                   fmt::format("two [[{}]] are called '{}'; give each its own name", list, specs[i].name));
+  }
+}
+
+void check_grips(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  std::map<std::string, std::string> holder;  // of each edge
+  for (std::size_t i = 0; i < scene.grip.size(); ++i) {
+    const GripSpec& grip = scene.grip[i];
+    const toml::table* table = table_at(root, "grip", i);
+    if (table == nullptr) continue;
+    check_one_of(*table, "[[grip]]", "edge", "box", complaints);
+    if (grip.box) check_box(*grip.box, *table, "box", complaints);
+    if (grip.direction && *grip.direction == std::array<double, 3>{0.0, 0.0, 0.0}) {
+      complaints.add(place_of(*table, "direction"), "'direction' is zero; give it a length");
+    }
+    if (grip.edge.empty()) continue;
+    const auto [held, is_new] = holder.emplace(grip.edge, grip.name);
+    if (is_new) continue;
+    complaints.add(place_of(*table, "edge"),
+                   fmt::format("edge '{}' is already held by grip '{}'; one grip per edge", grip.edge, held->second));
+  }
+}
+
+void check_measures(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  for (std::size_t i = 0; i < scene.measure.size(); ++i) {
+    const MeasureSpec& measure = scene.measure[i];
+    const toml::table* table = table_at(root, "measure", i);
+    if (table == nullptr) continue;
+    check_one_of(*table, "[[measure]]", "box", "relative_box", complaints);
+    if (measure.box) check_box(*measure.box, *table, "box", complaints);
+    if (measure.relative_box) check_box(*measure.relative_box, *table, "relative_box", complaints);
+  }
+}
+
+void check_material(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  const toml::table* table = table_at(root, "fabric", 0);
+  const std::string& name = scene.fabric.material;
+  if (table == nullptr || is_builtin_card(name) || is_card_path(name)) return;
+  complaints.add(place_of(*table, "material"),
+                 fmt::format("no built-in card is called '{}', and a path needs a '/' or ends in .toml{}", name,
+                             did_you_mean(name, builtin_card_names())));
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  check_material(scene, root, complaints);
+  check_names(scene.grip, root, "grip", complaints);
+  check_names(scene.measure, root, "measure", complaints);
+  check_grips(scene, root, complaints);
+  check_measures(scene, root, complaints);
+  const toml::table* analysis = table_at(root, "analysis", 0);
+  if (analysis != nullptr && scene.analysis.duration && scene.analysis.loading_speed) {
+    complaints.add(place_of(*analysis, "loading_speed"),
+                   "[analysis] has both 'duration' and 'loading_speed'; keep one, each follows from the other");
+  }
+}
+
+}  // namespace weaveform

@@ -1,0 +1,121 @@
+#include "mesher/scene/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "mesher/base/error.hpp"
+#include "mesher/base/nearest_name.hpp"
+#include "mesher/scene/schema.hpp"
+
+namespace weaveform {
+namespace {
+
+std::vector<std::string> split_at_dots(const std::string& key) {
+  std::vector<std::string> parts(1);
+  for (const char c : key) {
+    if (c == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+// A table that holds the value under the key "value": read as TOML, else, a bare word, as text.
+std::optional<toml::table> parse_value(const std::string& key, const std::string& text, Complaints& complaints) {
+  const std::string source = std::string(override_mark) + key;
+  // What begins like a list, a table or a quoted text was meant as one.
+  const bool bare_word = !text.empty() && text.find_first_of("[{\"'\n") == std::string::npos;
+  std::string reason;
+  for (const std::string& line : {"value = " + text, "value = '" + text + "'"}) {
+    try {
+      toml::table parsed = toml::parse(line, source);
+      if (parsed.size() == 1) return parsed;
+      reason = "it has several lines";
+    } catch (const toml::parse_error& error) {
+      if (reason.empty()) reason = error.description();
+    }
+    if (!bare_word) break;
+  }
+  complaints.add_override(key, fmt::format("'{}' is not a value ({}); quote texts, put lists in [ ]", text, reason));
+  return std::nullopt;
+}
+
+const SceneTable* find_table(const std::string& key, const std::string& name, Complaints& complaints) {
+  std::vector<std::string> names;
+  for (const auto& table : scene_tables()) {
+    if (table.name == name) return &table;
+    names.push_back(table.name);
+  }
+  complaints.add_override(key, fmt::format("unknown table '{}'{}", name, did_you_mean(name, names)));
+  return nullptr;
+}
+
+// The element of a list of tables with this name, or at this 0-based index.
+toml::table* find_element(toml::table& root, const std::string& key, const std::string& list_name,
+                          const std::string& element, Complaints& complaints) {
+  toml::array* list = root[list_name].as_array();
+  const std::size_t count = list == nullptr ? 0 : list->size();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) {
+    toml::table* table = (*list)[i].as_table();
+    if (table == nullptr) continue;
+    const auto name = (*table)["name"].value<std::string>();
+    if (name == element) return table;
+    if (name) names.push_back(*name);
+  }
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(element.data(), element.data() + element.size(), index);
+  const bool is_index = error == std::errc{} && end == element.data() + element.size();
+  if (is_index && index < count && (*list)[index].is_table()) return (*list)[index].as_table();
+  const std::string hint = count == 0 ? "; the scene has none" : did_you_mean(element, names);
+  complaints.add_override(key, fmt::format("no [[{}]] is called '{}' or has this index{}", list_name, element, hint));
+  return nullptr;
+}
+
+// The table that the key's last part belongs to; created when the file leaves it out.
+toml::table* find_place(toml::table& root, const std::string& key, Complaints& complaints) {
+  const auto parts = split_at_dots(key);
+  const SceneTable* table = find_table(key, parts[0], complaints);
+  if (table == nullptr) return nullptr;
+  if (parts.size() != (table->many ? 3U : 2U)) {
+    complaints.add_override(key, fmt::format("write {0}.{1}KEY=VALUE", table->name, table->many ? "NAME." : ""));
+    return nullptr;
+  }
+  if (table->many) return find_element(root, key, parts[0], parts[1], complaints);
+  if (!root.contains(parts[0])) root.insert(parts[0], toml::table{});
+  return root[parts[0]].as_table();  // a file that has something else there is complained about when it is read
+}
+
+void apply_override(toml::table& root, const std::string& text, Complaints& complaints) {
+  const auto equals = text.find('=');
+  const auto trimmed = [](std::string part) {
+    const auto first = part.find_first_not_of(" \t");
+    if (first == std::string::npos) return std::string{};
+    return part.substr(first, part.find_last_not_of(" \t") - first + 1);
+  };
+  const std::string key = trimmed(text.substr(0, equals));
+  if (equals == std::string::npos || key.empty()) {
+    return complaints.add_override(text, "write --set KEY=VALUE, for example --set blank.size=[100,200]");
+  }
+  toml::table* place = find_place(root, key, complaints);
+  if (place == nullptr) return;
+  auto value = parse_value(key, trimmed(text.substr(equals + 1)), complaints);
+  if (!value) return;
+  // Moved, not copied: a copy would forget its source.
+  std::move(*value->get("value")).visit([&](auto&& node) {
+    place->insert_or_assign(split_at_dots(key).back(), std::forward<decltype(node)>(node));
+  });
+}
+
+}  // namespace
+
+void apply_overrides(toml::table& root, const std::vector<std::string>& overrides, Complaints& complaints) {
+  for (const auto& text : overrides) apply_override(root, text, complaints);
+}
+
+}  // namespace weaveform

@@ -1,0 +1,80 @@
+#include "mesher/scene/reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "mesher/base/nearest_name.hpp"
+#include "mesher/base/toml_document.hpp"
+#include "mesher/material/card.hpp"
+#include "mesher/scene/check.hpp"
+#include "mesher/scene/overrides.hpp"
+#include "mesher/scene/schema.hpp"
+
+namespace weaveform {
+namespace {
+
+void complain_unknown_tables(const toml::table& root, Complaints& complaints) {
+  std::vector<std::string> names;
+  for (const auto& table : scene_tables()) names.push_back(table.name);
+  for (const auto& [name, node] : root) {
+    if (std::find(names.begin(), names.end(), name.str()) != names.end()) continue;
+    complaints.add(name.source(),
+                   std::string(node.is_value() ? "no key belongs outside a table: '" : "unknown table '") +
+                       std::string(name.str()) + "'" + did_you_mean(name.str(), names));
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return read_scene_text(read_text_file(file), file.string(), overrides);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+  Complaints complaints(name);
+  toml::table root = parse_toml(text, name);
+  apply_overrides(root, overrides, complaints);
+  Scene scene;
+  scene.file = name;
+  complain_unknown_tables(root, complaints);
+  for (const auto& table : scene_tables()) {
+    if (const toml::node* node = root.get(table.name)) table.read(*node, scene, complaints);
+  }
+  check_scene(scene, root, complaints);
+  complaints.throw_if_any();
+  return scene;
+}
+
+Scene with_absolute_paths(Scene scene) {
+  if (is_builtin_card(scene.fabric.material)) return scene;
+  scene.fabric.material = std::filesystem::absolute(card_path(scene.fabric.material, scene.file)).lexically_normal();
+  return scene;
+}
+
+std::string scene_to_toml(const Scene& scene) {
+  std::string text = "# Every value of the scene. Units: mm, s, N, MPa, tonne; angles in degrees.\n";
+  for (const auto& table : scene_tables()) text += table.write(scene);
+  return text;
+}
+
+std::vector<KeyInfo> scene_keys() {
+  std::vector<KeyInfo> keys;
+  for (const auto& table : scene_tables()) keys.insert(keys.end(), table.keys.begin(), table.keys.end());
+  return keys;
+}
+
+std::string scene_reference_markdown() {
+  std::string text =
+      "# Scene reference\n\n"
+      "Generated from the key table in `mesher/scene/schema.cpp`. A scene is a TOML file. Units: mm, s, N, MPa, tonne; "
+      "angles in degrees. A whole number is accepted where a number is wanted. `\"auto\"` lets the program choose.\n\n"
+      "`--set TABLE.KEY=VALUE` replaces any value from the command line; an element of a list of tables is named or "
+      "counted from 0: `--set blank.size=[100,200]`, `--set grip.top.travel=40`, `--set grip.0.travel=40`.\n";
+  for (const auto& table : scene_tables()) {
+    text += table.many ? "\n## `[[" + table.name + "]]`\n\n" : "\n## `[" + table.name + "]`\n\n";
+    text += table.doc + "\n\n" + markdown_table(table.keys);
+  }
+  return text;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,207 @@
+#include "mesher/scene/schema.hpp"
+
+#include <type_traits>
+
+namespace weaveform {
+namespace {
+
+const std::vector<Key<FabricSpec>> fabric_keys = {
+    key<&FabricSpec::material>(
+        {.name = "material",
+         .doc = "built-in card (`twintex-pw`, `twintex-tw`) or path of a card file, relative to the scene file"}),
+};
+
+const std::vector<Key<BlankSpec>> blank_keys = {
+    key<&BlankSpec::shape>({.name = "shape", .allowed = {"rectangle"}, .doc = "outline of the flat blank"}),
+    key<&BlankSpec::size>(
+        {.name = "size", .unit = "mm", .limits = above(0, 1e5), .doc = "extent along the blank's own x and y axes"}),
+    key<&BlankSpec::yarn_angle>({.name = "yarn_angle",
+                                 .unit = "deg",
+                                 .limits = between(-360, 360),
+                                 .doc = "from the blank's x axis to the warp direction, counter-clockwise"}),
+    key<&BlankSpec::coarsening>({.name = "coarsening",
+                                 .unit = "1",
+                                 .limits = between(0.05, 100),
+                                 .one_for_all = true,
+                                 .doc = "yarns per model yarn, for warp and for weft yarns; one number serves both; "
+                                        "below 1 refines"}),
+    key<&BlankSpec::phase>({.name = "phase",
+                            .unit = "1",
+                            .limits = between(-1, 1),
+                            .doc = "shift of the warp and weft lines in model intervals; 0 puts a crossing at the "
+                                   "blank's centre"}),
+    key<&BlankSpec::orientation>({.name = "orientation",
+                                  .unit = "deg",
+                                  .limits = between(-360, 360),
+                                  .doc = "turns the whole blank (outline, yarns, grips, measures) in its plane"}),
+    key<&BlankSpec::position>({.name = "position", .unit = "mm", .doc = "where the blank's centre lies in the world"}),
+};
+
+const std::vector<Key<ModelSpec>> model_keys = {
+    key<&ModelSpec::yarn>({.name = "yarn", .allowed = {"truss"}, .doc = "element of the yarns (the paper's T3D2)"}),
+    key<&ModelSpec::cell>(
+        {.name = "cell", .allowed = {"membrane"}, .doc = "element of the shear cells (the paper's M3D4R)"}),
+    key<&ModelSpec::formulation>({.name = "formulation",
+                                  .allowed = {"energy", "contravariant"},
+                                  .doc = "shear force of a cell: gradient of a stored energy, or the paper's stress "
+                                         "(Eq. 9) taken whole; equal for inextensible yarns"}),
+    key<&ModelSpec::thickness>({.name = "thickness",
+                                .allowed = {"constant-volume", "constant"},
+                                .doc = "how a cell's thickness follows its area"}),
+    key<&ModelSpec::section>({.name = "section",
+                              .allowed = {"incompressible", "constant"},
+                              .doc = "how a yarn's cross-section follows its stretch"}),
+    key<&ModelSpec::yarn_law>({.name = "yarn_law",
+                               .allowed = {"card", "linear"},
+                               .doc = "tension law: the card's (decrimping, Table 2), or its linear modulus from zero "
+                                      "strain on"}),
+    key<&ModelSpec::yarn_stiffness_scale>({.name = "yarn_stiffness_scale",
+                                           .unit = "1",
+                                           .limits = above(0, 1000),
+                                           .doc = "factor on all yarn moduli; below 1 buys a larger step"}),
+};
+
+const std::vector<Key<GripSpec>> grip_keys = {
+    key<&GripSpec::name>({.name = "name",
+                          .required = true,
+                          .identifier = true,
+                          .doc = "heads the grip's columns in history.csv; names it in `--set grip.NAME.travel=...`"}),
+    key<&GripSpec::edge>({.name = "edge",
+                          .allowed = {"bottom", "top", "left", "right"},
+                          .doc = "the edge of the blank it holds; either this or `box`"}),
+    key<&GripSpec::box>({.name = "box",
+                         .unit = "mm",
+                         .doc = "holds every node in xmin, ymin, xmax, ymax, blank frame (its centre is the origin)"}),
+    key<&GripSpec::travel>({.name = "travel",
+                            .unit = "mm",
+                            .doc = "way along `direction`, a smooth step over the duration; 0 holds still"}),
+    key<&GripSpec::direction>({.name = "direction",
+                               .unit = "1",
+                               .doc = "blank frame, any length but zero; when left out the edge's outward normal, or "
+                                      "[0, 1, 0] for a box"}),
+    key<&GripSpec::free>({.name = "free",
+                          .allowed = {"x", "y", "z"},
+                          .doc = "components left free, blank frame; the others are prescribed"}),
+};
+
+const std::vector<Key<AnalysisSpec>> analysis_keys = {
+    key<&AnalysisSpec::duration>(
+        {.name = "duration",
+         .unit = "s",
+         .limits = above(0),
+         .doc = "time over which the grips travel; auto: from the fabric's slowest shear wave"}),
+    key<&AnalysisSpec::loading_speed>({.name = "loading_speed",
+                                       .unit = "mm/s",
+                                       .limits = above(0),
+                                       .doc = "greatest speed of any grip; an alternative to `duration`"}),
+    key<&AnalysisSpec::step_factor>(
+        {.name = "step_factor", .unit = "1", .limits = above(0, 4), .doc = "fraction of the stable step"}),
+    key<&AnalysisSpec::step_check>({.name = "step_check", .doc = "stop when the step is above the stable one"}),
+    key<&AnalysisSpec::damping>({.name = "damping",
+                                 .unit = "1/s",
+                                 .limits = at_least(0),
+                                 .doc = "mass-proportional damping; auto: chosen from the duration"}),
+    key<&AnalysisSpec::energy_limit>({.name = "energy_limit",
+                                      .unit = "1",
+                                      .limits = above(0, 1),
+                                      .doc = "the run fails when the energy-balance error passes this fraction"}),
+    key<&AnalysisSpec::perturbation>({.name = "perturbation",
+                                      .unit = "mm",
+                                      .limits = between(0, 1000),
+                                      .doc = "random in-plane displacement of every free node at the start"}),
+    key<&AnalysisSpec::perturbation_seed>(
+        {.name = "perturbation_seed", .unit = "1", .limits = at_least(0), .doc = "same seed, same displacements"}),
+};
+
+const std::vector<Key<OutputSpec>> output_keys = {
+    key<&OutputSpec::frames>(
+        {.name = "frames", .unit = "1", .limits = between(0, 10000), .doc = "result frames after the initial one"}),
+    key<&OutputSpec::history>({.name = "history",
+                               .unit = "1",
+                               .limits = between(1, 1000000),
+                               .doc = "rows of history.csv after the initial one"}),
+    key<&OutputSpec::contour_step>({.name = "contour_step",
+                                    .unit = "deg",
+                                    .limits = between(0.01, 90),
+                                    .doc = "spacing of the shear-angle isolines"}),
+};
+
+const std::vector<Key<MeasureSpec>> measure_keys = {
+    key<&MeasureSpec::name>({.name = "name",
+                             .required = true,
+                             .identifier = true,
+                             .doc = "heads the column `NAME.shear_angle_deg` of history.csv"}),
+    key<&MeasureSpec::box>(
+        {.name = "box",
+         .unit = "mm",
+         .doc = "the cells whose centre lies in xmin, ymin, xmax, ymax, blank frame, before forming"}),
+    key<&MeasureSpec::relative_box>({.name = "relative_box",
+                                     .unit = "1",
+                                     .doc = "the same in units of the blank's width size[0], so that it follows the "
+                                            "size; either this or `box`"}),
+};
+
+void complain_form(const toml::node& node, const std::string& name, bool many, Complaints& complaints) {
+  complaints.add(node, many ? "'" + name + "' is a list of tables; begin each with [[" + name + "]]"
+                            : "'" + name + "' is one table; begin it with [" + name + "]");
+}
+
+template <class Spec>
+void read_one(const toml::node& node, const std::string& name, const std::vector<Key<Spec>>& keys, Spec& spec,
+              bool many, Complaints& complaints) {
+  const auto* table = node.as_table();
+  if (table == nullptr) return complain_form(node, name, many, complaints);
+  const std::string title = many ? "[[" + name + "]]" : "[" + name + "]";
+  read_keys(*table, title, keys, spec, complaints);
+  require_keys(*table, title, keys, complaints);
+}
+
+// [name]: one table, a struct of the scene.
+template <auto member, class Spec>
+SceneTable one_table(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
+  SceneTable table{.name = name, .many = false, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+  table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
+    read_one(node, name, keys, scene.*member, false, complaints);
+  };
+  table.write = [name, &keys](const Scene& scene) { return "\n[" + name + "]\n" + write_keys(keys, scene.*member); };
+  return table;
+}
+
+// [[name]]: a list of tables, a vector of the scene. An element that cannot be read keeps its place, so that the n-th
+// element is the n-th table of the file.
+template <auto member, class Spec>
+SceneTable many_tables(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
+  SceneTable table{.name = name, .many = true, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+  table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
+    const auto* list = node.as_array();
+    if (list == nullptr) return complain_form(node, name, true, complaints);
+    for (const auto& item : *list) {
+      Spec& spec = (scene.*member).emplace_back();
+      read_one(item, name, keys, spec, true, complaints);
+    }
+  };
+  table.write = [name, &keys](const Scene& scene) {
+    std::string text;
+    for (const Spec& spec : scene.*member) text += "\n[[" + name + "]]\n" + write_keys(keys, spec);
+    return text;
+  };
+  return table;
+}
+
+}  // namespace
+
+const std::vector<SceneTable>& scene_tables() {
+  static const std::vector<SceneTable> tables = {
+      one_table<&Scene::fabric>("fabric", fabric_keys, "The woven reinforcement."),
+      one_table<&Scene::blank>("blank", blank_keys, "The flat piece of fabric and how finely its yarns are modelled."),
+      one_table<&Scene::model>("model", model_keys, "Elements and laws."),
+      many_tables<&Scene::grip>("grip", grip_keys, "A prescribed part of the blank; as many as needed."),
+      one_table<&Scene::analysis>("analysis", analysis_keys, "The explicit analysis."),
+      one_table<&Scene::output>("output", output_keys, "What is written."),
+      many_tables<&Scene::measure>("measure", measure_keys,
+                                   "A patch of cells whose mean shear angle is recorded; as many as needed."),
+  };
+  return tables;
+}
+
+}  // namespace weaveform
