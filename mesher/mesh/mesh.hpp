@@ -13,35 +13,39 @@ enum class Family : std::uint8_t { warp = 0, weft = 1 };
 
 struct NodeSet {
   std::string name;
-  std::vector<int> node;
+  std::vector<int> node;  // rising
 };
 
 struct MeshNodes {
   std::vector<std::array<double, 3>> position;  // mm; initial
-  std::vector<double> mass;                     // tonne; lumped from the yarns' linear density
-  std::vector<std::array<int, 2>> crossing;     // (i, j): i counts along the warp direction, j along the weft; {-1, -1} for a yarn end
+  // tonne; lumped from the yarns' linear density, near the edges shifted between neighbours so that the step holds
+  std::vector<double> mass;
+  // (i, j): i counts along the warp direction, j along the weft; {-1, -1} for a yarn end
+  std::vector<std::array<int, 2>> crossing;
 };
 
 // Straight yarn elements. True strain e = ln((L + jaw) / (L0 + jaw)); axial force
 //   N = s(e) * section * softening * (L0 + jaw) / (L + jaw)          (incompressible section)
 struct MeshYarns {
-  std::vector<std::array<int, 2>> node;   // warp elements point along +i, weft elements along +j
+  std::vector<std::array<int, 2>> node;  // warp elements point along +i, weft elements along +j
   std::vector<Family> family;
-  std::vector<double> rest_length;        // mm; L0
-  std::vector<double> section;            // mm^2; of all yarns this element stands for
-  std::vector<double> yarns;              // yarns this element stands for (coarsening times the share of its strip inside the outline)
-  std::vector<double> jaw;                // mm; > 0: a short end that reaches this far into a grip's jaws (keeps the step)
-  std::vector<double> softening;          // 1; < 1: a short free end, which carries no tension (keeps the step)
+  std::vector<double> rest_length;  // mm; L0
+  std::vector<double> section;      // mm^2; of all yarns this element stands for
+  // yarns this element stands for (coarsening times the share of its strip inside the outline)
+  std::vector<double> yarns;
+  std::vector<double> jaw;        // mm; > 0: a short end that reaches this far into a grip's jaws (keeps the step)
+  std::vector<double> softening;  // 1; < 1: a short free end, which carries no tension (keeps the step)
 };
 
-// Shear cells: convex polygons of 3 to 6 nodes, counter-clockwise. The yarn directions at the centre are linear in the nodal
-// positions, g_f = sum_a coefficient[f][a] * x_a, with |g_f| = 1 on the flat, unstretched fabric.
+// Shear cells: convex polygons of 3 to 6 nodes, counter-clockwise. The yarn directions at the centre are linear in the
+// nodal positions, g_f = sum_a coefficient[f][a] * x_a, with |g_f| = 1 on the flat, unstretched fabric.
 struct MeshCells {
-  std::vector<int> offset = {0};                   // cell c owns entries offset[c] .. offset[c+1]-1 of the two arrays below
+  std::vector<int> offset = {0};  // cell c owns entries offset[c] .. offset[c+1]-1 of the two arrays below
   std::vector<int> node;
   std::vector<std::array<double, 2>> coefficient;  // 1/mm; [0] warp, [1] weft
   std::vector<double> area;                        // mm^2; flat area inside the outline (with that of merged slivers)
-  std::vector<std::array<int, 2>> lattice;         // (i, j) of its lowest corner; full quads have all four corners as nodes
+  // (i, j) of its lowest corner, -1 possible on cut cells; full quads have all four corners as nodes
+  std::vector<std::array<int, 2>> lattice;
   [[nodiscard]] int size() const { return static_cast<int>(area.size()); }
 };
 
@@ -49,10 +53,10 @@ struct Mesh {
   MeshNodes nodes;
   MeshYarns yarns;
   MeshCells cells;
-  std::vector<NodeSet> sets;                      // grips by name, and "outline"
-  std::array<double, 2> spacing = {0.0, 0.0};     // mm; element length along the warp (i) and along the weft (j)
-  std::array<int, 2> lattice_size = {0, 0};       // crossings span 0 <= i < lattice_size[0], 0 <= j < lattice_size[1]
-  double thickness = 0.0;                         // mm
+  std::vector<NodeSet> sets;                   // grips by name, and "outline"
+  std::array<double, 2> spacing = {0.0, 0.0};  // mm; element length along the warp (i) and along the weft (j)
+  std::array<int, 2> lattice_size = {0, 0};    // crossings span 0 <= i < lattice_size[0], 0 <= j < lattice_size[1]
+  double thickness = 0.0;                      // mm
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes.mass.size()); }
   [[nodiscard]] int yarn_count() const { return static_cast<int>(yarns.section.size()); }
 };

@@ -10,7 +10,8 @@ namespace weaveform {
 
 // Written to a temporary name and renamed, so whole or not at all. Throws FileError.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file);
-// Reads what write_mesh wrote, bit for bit. Throws FileError (unreadable) or InputError (not a Weaveform mesh: what is missing).
+// Reads what write_mesh wrote, bit for bit. Throws FileError (unreadable) or InputError (not a Weaveform mesh: what is
+// missing).
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& file);
 
 }  // namespace weaveform

@@ -1,2 +1,13 @@
 set(UNIT_MESHER_SOURCES
+  unit/mesher/card_test.cpp
+  unit/mesher/law_test.cpp
+  unit/mesher/polynomial_test.cpp
+  unit/mesher/scene_complaint_test.cpp
+  unit/mesher/scene_test.cpp
+  unit/mesher/lattice_cells_test.cpp
+  unit/mesher/lattice_grips_test.cpp
+  unit/mesher/lattice_outline_test.cpp
+  unit/mesher/lattice_step_test.cpp
+  unit/mesher/lattice_totals_test.cpp
+  unit/mesher/mesh_io_test.cpp
 )

@@ -1,0 +1,252 @@
+#include "mesher/lattice/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "mesher/base/error.hpp"
+#include "mesher/lattice/cut_cells.hpp"
+#include "mesher/lattice/grips.hpp"
+#include "mesher/lattice/lumping.hpp"
+#include "mesher/lattice/net.hpp"
+#include "mesher/lattice/outline.hpp"
+#include "mesher/lattice/strips.hpp"
+
+namespace weaveform::lattice {
+
+namespace {
+
+// Fewer cells than this across the blank are no fabric: there would be more edge than inside.
+constexpr double fewest_cells = 3.0;
+
+// "scene.toml: " before every complaint about a scene that came from a file.
+[[noreturn]] void complain(const Scene& scene, std::vector<std::string> lines) {
+  if (!scene.file.empty())
+    for (auto& line : lines) line = scene.file + ": " + line;
+  throw InputError(std::move(lines));
+}
+
+// The spacing of the model's crossings along the warp is that of its weft yarns, and the other way round.
+Vec2 model_spacing(const BlankSpec& blank, const Card& card) {
+  return {blank.coarsening[1] * card.yarn[1].interval, blank.coarsening[0] * card.yarn[0].interval};
+}
+
+// Cells met along the blank's own axes, and lines of either family across the whole blank.
+void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarns, const Vec2& spacing,
+                std::vector<std::string>& complaints) {
+  constexpr double rounding = 1e-9;
+  const double c = std::abs(yarns.cosine);
+  const double s = std::abs(yarns.sine);
+  const std::array<double, 2> per_mm = {std::max(c / spacing[0], s / spacing[1]),
+                                        std::max(s / spacing[0], c / spacing[1])};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double cells = blank.size[axis] * per_mm[axis];
+    if (cells >= fewest_cells - rounding) continue;
+    complaints.push_back(fmt::format(
+        "blank.size: {:.6g} mm along the blank's {} axis are only {:.3g} cells of {:.6g} x {:.6g} mm; make it at least "
+        "{:.6g} mm, or blank.coarsening smaller by {:.3g}",
+        blank.size[axis], axis == 0 ? "x" : "y", cells, spacing[0], spacing[1], fewest_cells / per_mm[axis],
+        fewest_cells / cells));
+  }
+  const Box box = bounding_box(outline);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double cells = (box.high[axis] - box.low[axis]) / spacing[axis];
+    if (cells >= fewest_cells - rounding) continue;
+    complaints.push_back(fmt::format(
+        "blank.coarsening: {} yarns every {:.6g} mm leave only {:.3g} cells across the blank; make coarsening[{}] at "
+        "most {:.3g}",
+        axis == 0 ? "weft" : "warp", spacing[axis], cells, 1 - axis,
+        blank.coarsening[1 - axis] * cells / fewest_cells));
+  }
+}
+
+std::vector<int> cells_per_node(const YarnNet& net, const MeshCells& cells) {
+  std::vector<int> count(net.place.size(), 0);
+  for (const int n : cells.node) ++count[n];
+  return count;
+}
+
+std::vector<int> elements_per_node(const YarnNet& net) {
+  std::vector<int> count(net.place.size(), 0);
+  for (int family = 0; family < 2; ++family)
+    for (int c = 0; c < static_cast<int>(net.line[family].size()); ++c)
+      for (const auto& chord : net.line[family][c]) {
+        if (!chord.meshed()) continue;
+        for (int k = chord.crossing[low]; k <= chord.crossing[high]; ++k) {
+          const int n = net.node[net.index(family, c, k)];
+          if (n >= 0) ++count[n];
+        }
+      }
+  return count;
+}
+
+// Takes out what hangs loose: crossings that no cell or no yarn element would hold, and free yarn ends that no cell
+// would. True when there was any.
+bool prune(YarnNet& net, const MeshCells& cells) {
+  bool pruned = false;
+  const std::vector<int> cell_count = cells_per_node(net, cells);
+  const std::vector<int> element_count = elements_per_node(net);
+  for (std::size_t k = 0; k < net.node.size(); ++k) {
+    const int n = net.node[k];
+    if (n < 0 || (cell_count[n] > 0 && element_count[n] > 0)) continue;
+    net.crossing[k] = Crossing::taken_out;
+    pruned = true;
+  }
+  for (auto& family : net.line)
+    for (auto& on_line : family)
+      for (auto& chord : on_line)
+        for (const Side side : {low, high}) {
+          const int n = chord.end_node[side];
+          if (n < 0 || chord.grip[side] >= 0 || cell_count[n] > 0) continue;
+          chord.barred[side] = true;
+          pruned = true;
+        }
+  return pruned;
+}
+
+// The node before, between and after the crossings of a chord, in order along the yarn.
+std::vector<int> nodes_along(const YarnNet& net, int family, int which_line, const Chord& chord) {
+  std::vector<int> along;
+  if (chord.ended[low]) along.push_back(chord.end_node[low]);
+  for (int k = chord.crossing[low]; k <= chord.crossing[high]; ++k) {
+    const int n = net.node[net.index(family, which_line, k)];
+    if (n >= 0) along.push_back(n);
+  }
+  if (chord.ended[high]) along.push_back(chord.end_node[high]);
+  return along;
+}
+
+void lay_yarns(const YarnNet& net, const Card& card, MeshYarns& yarns) {
+  for (int family = 0; family < 2; ++family) {
+    for (int c = 0; c < static_cast<int>(net.line[family].size()); ++c) {
+      for (const auto& chord : net.line[family][c]) {
+        if (!chord.meshed()) continue;
+        const std::vector<int> along = nodes_along(net, family, c, chord);
+        for (std::size_t k = 0; k + 1 < along.size(); ++k) {
+          yarns.node.push_back({along[k], along[k + 1]});
+          yarns.family.push_back(static_cast<Family>(family));
+          yarns.rest_length.push_back(net.place[along[k + 1]][family] - net.place[along[k]][family]);
+          yarns.section.push_back(chord.yarns * card.yarn[family].section);
+          yarns.yarns.push_back(chord.yarns);
+        }
+      }
+    }
+  }
+}
+
+// Lattice indices from zero on, over the crossings that are in the mesh.
+void index_crossings(const YarnNet& net, Mesh& mesh) {
+  std::array<int, 2> least = net.grid.size;
+  std::array<int, 2> most = {-1, -1};
+  mesh.nodes.crossing.assign(net.place.size(), {-1, -1});
+  for (int j = 0; j < net.grid.size[1]; ++j) {
+    for (int i = 0; i < net.grid.size[0]; ++i) {
+      const int n = net.node_at(i, j);
+      if (n < 0) continue;
+      mesh.nodes.crossing[n] = {i, j};
+      least = {std::min(least[0], i), std::min(least[1], j)};
+      most = {std::max(most[0], i), std::max(most[1], j)};
+    }
+  }
+  const auto shift = [&](std::array<int, 2>& index) { index = {index[0] - least[0], index[1] - least[1]}; };
+  for (auto& crossing : mesh.nodes.crossing)
+    if (crossing[0] >= 0) shift(crossing);
+  for (auto& lattice : mesh.cells.lattice) shift(lattice);
+  mesh.lattice_size = {most[0] - least[0] + 1, most[1] - least[1] + 1};
+}
+
+// The mesh's boundary: yarn ends, and crossings where a yarn stops or passes along the outline.
+NodeSet outline_set(const Mesh& mesh) {
+  std::vector<int> elements(mesh.node_count(), 0);
+  for (const auto& ends : mesh.yarns.node)
+    for (const int n : ends) ++elements[n];
+  NodeSet set{"outline", {}};
+  for (int n = 0; n < mesh.node_count(); ++n)
+    if (elements[n] < 4) set.node.push_back(n);
+  return set;
+}
+
+void collect_sets(const YarnNet& net, const GripRegions& grips, Mesh& mesh, std::vector<std::string>& complaints) {
+  for (std::size_t g = 0; g < grips.region.size(); ++g) {
+    NodeSet set{grips.region[g].name, {}};
+    for (int n = 0; n < mesh.node_count(); ++n)
+      if (net.grip_of_node[n] == static_cast<int>(g)) set.node.push_back(n);
+    if (set.node.empty())
+      complaints.push_back(
+          fmt::format("grip '{}' holds no node: nothing of the blank lies there, or an earlier grip has it all; "
+                      "enlarge its box, or "
+                      "name an edge of the blank",
+                      set.name));
+    mesh.sets.push_back(std::move(set));
+  }
+  mesh.sets.push_back(outline_set(mesh));
+}
+
+std::vector<Hold> holds(const YarnNet& net, const GripRegions& grips) {
+  std::vector<Hold> hold;
+  hold.reserve(net.grip_of_node.size());
+  for (const int g : net.grip_of_node)
+    hold.push_back(g < 0 ? Hold::free : (grips.region[g].rigid ? Hold::rigid : Hold::guided));
+  return hold;
+}
+
+void place_in_world(const YarnNet& net, const BlankSpec& blank, Mesh& mesh) {
+  const Turn yarns = turn_by_degrees(blank.yarn_angle);
+  const Turn whole = turn_by_degrees(blank.orientation);
+  mesh.nodes.position.reserve(net.place.size());
+  for (const auto& place : net.place) {
+    const Vec2 p = whole.forward(yarns.forward(place));
+    mesh.nodes.position.push_back({blank.position[0] + p[0], blank.position[1] + p[1], blank.position[2]});
+  }
+}
+
+Mesh build(const Scene& scene, const Card& card) {
+  const BlankSpec& blank = scene.blank;
+  if (blank.shape != "rectangle")
+    complain(scene, {fmt::format("blank.shape: '{}' is not a known shape; use 'rectangle'", blank.shape)});
+  const Turn yarns = turn_by_degrees(blank.yarn_angle);
+  const Vec2 spacing = model_spacing(blank, card);
+  const Outline outline = rectangle_outline(blank.size, yarns);
+
+  std::vector<std::string> complaints;
+  check_size(blank, outline, yarns, spacing, complaints);
+  // Ends on the outline are found to the net's tolerance; twice over, at the corners.
+  const double tolerance = 4e-7 * std::min(spacing[0], spacing[1]);
+  const GripRegions grips = grip_regions(scene, outline, yarns, tolerance, complaints);
+  if (!complaints.empty()) complain(scene, complaints);
+
+  Mesh mesh;
+  YarnNet net = lay_lines(outline, spacing, blank.phase);
+  do {
+    place_ends(net, grips);
+    mesh.cells = cut_cells(net, outline);
+  } while (prune(net, mesh.cells));
+  if (mesh.cells.size() == 0) complain(scene, {"blank.coarsening: no whole cell fits into the blank; make it smaller"});
+
+  share_strips(net, outline, {card.yarn[0].interval, card.yarn[1].interval});
+  lay_yarns(net, card, mesh.yarns);
+  place_in_world(net, blank, mesh);
+  mesh.spacing = spacing;
+  mesh.thickness = card.thickness;
+  mesh.nodes.mass.assign(net.place.size(), 0.0);
+  index_crossings(net, mesh);
+  collect_sets(net, grips, mesh, complaints);
+  if (!complaints.empty()) complain(scene, complaints);
+  lump(mesh, card, blank.coarsening, holds(net, grips));
+  return mesh;
+}
+
+}  // namespace
+}  // namespace weaveform::lattice
+
+namespace weaveform {
+
+Mesh build_mesh(const Scene& scene, const Card& card) {
+  return lattice::build(scene, card);
+}
+
+}  // namespace weaveform

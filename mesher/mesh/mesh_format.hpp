@@ -1,0 +1,41 @@
+// What the writer and the reader of mesh.vtu share: the file's layout, and an ear for VTK's errors.
+#pragma once
+
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+
+#include <string>
+
+namespace weaveform::mesh_format {
+
+// Layout of mesh.vtu. Grid cells: first the yarn elements, then the shear cells; a cell array holds 0 where its
+// quantity has no meaning. Points: the nodes.
+//   cell data    family (0 shear cell, 1 warp, 2 weft), rest_length_mm, section_mm2, yarns, jaw_mm, softening,
+//                area_mm2, lattice (i, j)
+//   point data   mass_t, crossing (i, j), and one array of 0 and 1 per node set, named with the prefix below
+//   field data   spacing_mm, lattice_size, thickness_mm, coefficient_per_mm (two per entry of the shear cells'
+//                connectivity)
+inline const std::string set_prefix = "set_";
+
+// VTK speaks of its errors to observers only; this one keeps the first.
+class ErrorListener {
+public:
+  explicit ErrorListener(vtkAlgorithm* source) {
+    callback_->SetClientData(this);
+    callback_->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
+      auto& message = static_cast<ErrorListener*>(self)->message_;
+      if (message.empty() && text != nullptr) message = static_cast<const char*>(text);
+    });
+    source->AddObserver("ErrorEvent", callback_);
+    source->GetExecutive()->AddObserver("ErrorEvent", callback_);
+  }
+  [[nodiscard]] bool heard() const { return !message_.empty(); }
+
+private:
+  vtkNew<vtkCallbackCommand> callback_;
+  std::string message_;
+};
+
+}  // namespace weaveform::mesh_format

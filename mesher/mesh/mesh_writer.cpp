@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+#include <unistd.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "mesher/base/error.hpp"
+#include "mesher/mesh/mesh_format.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+
+namespace weaveform {
+
+namespace {
+
+using mesh_format::ErrorListener;
+using mesh_format::set_prefix;
+
+vtkIdType cell_type(int nodes) {
+  if (nodes == 3) return VTK_TRIANGLE;
+  return nodes == 4 ? VTK_QUAD : VTK_POLYGON;
+}
+
+template <class Array>
+vtkSmartPointer<Array> new_array(const std::string& name, int components, std::size_t tuples) {
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  return array;
+}
+
+void put_points(const MeshNodes& nodes, vtkUnstructuredGrid& grid) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(nodes.position.size()));
+  for (std::size_t n = 0; n < nodes.position.size(); ++n)
+    points->SetPoint(static_cast<vtkIdType>(n), nodes.position[n].data());
+  grid.SetPoints(points);
+}
+
+void put_connectivity(const Mesh& mesh, vtkUnstructuredGrid& grid) {
+  const std::size_t yarns = mesh.yarns.node.size();
+  const std::size_t cells = mesh.cells.area.size();
+  auto type = new_array<vtkUnsignedCharArray>("types", 1, yarns + cells);
+  auto offset = new_array<vtkIdTypeArray>("offsets", 1, yarns + cells + 1);
+  auto node = new_array<vtkIdTypeArray>("connectivity", 1, 2 * yarns + mesh.cells.node.size());
+  for (std::size_t e = 0; e < yarns; ++e) {
+    const auto id = static_cast<vtkIdType>(e);
+    type->SetValue(id, VTK_LINE);
+    offset->SetValue(id, 2 * id);
+    node->SetValue(2 * id, mesh.yarns.node[e][0]);
+    node->SetValue(2 * id + 1, mesh.yarns.node[e][1]);
+  }
+  const auto first = static_cast<vtkIdType>(yarns);
+  for (std::size_t c = 0; c < cells; ++c) {
+    type->SetValue(first + static_cast<vtkIdType>(c),
+                   static_cast<unsigned char>(cell_type(mesh.cells.offset[c + 1] - mesh.cells.offset[c])));
+    offset->SetValue(first + static_cast<vtkIdType>(c), 2 * first + mesh.cells.offset[c]);
+  }
+  offset->SetValue(first + static_cast<vtkIdType>(cells), 2 * first + mesh.cells.offset[cells]);
+  for (std::size_t k = 0; k < mesh.cells.node.size(); ++k)
+    node->SetValue(2 * first + static_cast<vtkIdType>(k), mesh.cells.node[k]);
+  vtkNew<vtkCellArray> connectivity;
+  connectivity->SetData(offset, node);
+  grid.SetCells(type, connectivity);
+}
+
+// `value` at grid cell `first` on, 0 elsewhere.
+void put_cell_doubles(const std::string& name, const std::vector<double>& value, std::size_t first,
+                      vtkUnstructuredGrid& grid) {
+  auto array = new_array<vtkDoubleArray>(name, 1, static_cast<std::size_t>(grid.GetNumberOfCells()));
+  array->Fill(0.0);
+  std::copy(value.begin(), value.end(), array->GetPointer(static_cast<vtkIdType>(first)));
+  grid.GetCellData()->AddArray(array);
+}
+
+void put_cell_data(const Mesh& mesh, vtkUnstructuredGrid& grid) {
+  const std::size_t yarns = mesh.yarns.node.size();
+  const auto count = static_cast<std::size_t>(grid.GetNumberOfCells());
+  auto family = new_array<vtkUnsignedCharArray>("family", 1, count);
+  family->Fill(0);
+  for (std::size_t e = 0; e < yarns; ++e)
+    family->SetValue(static_cast<vtkIdType>(e), mesh.yarns.family[e] == Family::warp ? 1 : 2);
+  grid.GetCellData()->AddArray(family);
+  put_cell_doubles("rest_length_mm", mesh.yarns.rest_length, 0, grid);
+  put_cell_doubles("section_mm2", mesh.yarns.section, 0, grid);
+  put_cell_doubles("yarns", mesh.yarns.yarns, 0, grid);
+  put_cell_doubles("jaw_mm", mesh.yarns.jaw, 0, grid);
+  put_cell_doubles("softening", mesh.yarns.softening, 0, grid);
+  put_cell_doubles("area_mm2", mesh.cells.area, yarns, grid);
+  auto lattice = new_array<vtkIntArray>("lattice", 2, count);
+  lattice->Fill(0);
+  for (std::size_t c = 0; c < mesh.cells.lattice.size(); ++c)
+    lattice->SetTypedTuple(static_cast<vtkIdType>(yarns + c), mesh.cells.lattice[c].data());
+  grid.GetCellData()->AddArray(lattice);
+}
+
+void put_point_data(const Mesh& mesh, vtkUnstructuredGrid& grid) {
+  const std::size_t count = mesh.nodes.mass.size();
+  auto mass = new_array<vtkDoubleArray>("mass_t", 1, count);
+  std::copy(mesh.nodes.mass.begin(), mesh.nodes.mass.end(), mass->GetPointer(0));
+  grid.GetPointData()->AddArray(mass);
+  auto crossing = new_array<vtkIntArray>("crossing", 2, count);
+  for (std::size_t n = 0; n < count; ++n)
+    crossing->SetTypedTuple(static_cast<vtkIdType>(n), mesh.nodes.crossing[n].data());
+  grid.GetPointData()->AddArray(crossing);
+  for (const auto& set : mesh.sets) {
+    auto member = new_array<vtkUnsignedCharArray>(set_prefix + set.name, 1, count);
+    member->Fill(0);
+    for (const int n : set.node) member->SetValue(n, 1);
+    grid.GetPointData()->AddArray(member);
+  }
+}
+
+void put_field_data(const Mesh& mesh, vtkUnstructuredGrid& grid) {
+  auto spacing = new_array<vtkDoubleArray>("spacing_mm", 2, 1);
+  spacing->SetTypedTuple(0, mesh.spacing.data());
+  auto size = new_array<vtkIntArray>("lattice_size", 2, 1);
+  size->SetTypedTuple(0, mesh.lattice_size.data());
+  auto thickness = new_array<vtkDoubleArray>("thickness_mm", 1, 1);
+  thickness->SetValue(0, mesh.thickness);
+  auto coefficient = new_array<vtkDoubleArray>("coefficient_per_mm", 2, mesh.cells.coefficient.size());
+  for (std::size_t k = 0; k < mesh.cells.coefficient.size(); ++k)
+    coefficient->SetTypedTuple(static_cast<vtkIdType>(k), mesh.cells.coefficient[k].data());
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{spacing, size, thickness, coefficient})
+    grid.GetFieldData()->AddArray(array);
+}
+
+// VTK checks its stream while it writes but not when it closes it: only the closing tag proves that all of it arrived.
+bool ends_with_closing_tag(const std::filesystem::path& file) {
+  const std::string tag = "</VTKFile>";
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (!in) return false;
+  const std::streamoff length = std::min<std::streamoff>(in.tellg(), 64);
+  in.seekg(-length, std::ios::end);
+  std::string tail(static_cast<std::size_t>(length), '\0');
+  in.read(tail.data(), length);
+  return in.gcount() == length && tail.find(tag) != std::string::npos;
+}
+
+bool write_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& file) {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  const ErrorListener errors(writer);
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(&grid);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  writer->SetHeaderTypeToUInt64();
+  const bool written = writer->Write() == 1 && writer->GetErrorCode() == 0 && !errors.heard();
+  return written && ends_with_closing_tag(file);
+}
+
+}  // namespace
+
+void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
+  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  put_points(mesh.nodes, *grid);
+  put_connectivity(mesh, *grid);
+  put_cell_data(mesh, *grid);
+  put_point_data(mesh, *grid);
+  put_field_data(mesh, *grid);
+
+  // In the same folder, so that the rename cannot cross file systems; with the process number, so that two runs cannot
+  // meet.
+  std::filesystem::path unfinished = file;
+  unfinished += fmt::format(".{}.part", ::getpid());
+  std::error_code error;
+  const bool written = write_grid(*grid, unfinished);
+  if (written) std::filesystem::rename(unfinished, file, error);
+  if (written && !error) return;
+  std::error_code ignored;
+  std::filesystem::remove(unfinished, ignored);
+  throw FileError(fmt::format("{}: cannot be written; check that the folder exists, can be written to and has room",
+                              file.string()));
+}
+
+}  // namespace weaveform
