@@ -1,5 +1,5 @@
-// A tangent law packed for the inner loop: stress as a sum over pieces without branches. Since stress is the integral of
-// the tangent, each piece adds the integral over the part of [0, e] that lies in it:
+// A tangent law packed for the inner loop: stress as a sum over pieces without branches. Since stress is the integral
+// of the tangent, each piece adds the integral over the part of [0, e] that lies in it:
 //   s(e) = sum_p S_p(clamp(e - anchor_p, low_p, high_p)),   S_p(0) = 0,
 // with S_p the polynomial of piece p about its end nearest to zero strain.
 #pragma once
@@ -30,16 +30,30 @@ struct KernelLaw {
     }
     return sum;
   }
+
+  // C(e): the slope of the piece that e lies in.
+  [[gnu::always_inline]] inline double tangent(double strain) const {
+    double sum = 0.0;
+#pragma GCC unroll 8
+    for (int p = 0; p < Pieces; ++p) {
+      const double t = strain - anchor[p];
+      double slope = Degree * coefficient[p][Degree - 1];
+#pragma GCC unroll 8
+      for (int n = Degree - 2; n >= 0; --n) slope = slope * t + (n + 1) * coefficient[p][n];
+      sum += t >= low[p] && t < high[p] ? slope : 0.0;
+    }
+    return sum;
+  }
 };
 
-// The two shapes the inner loop is compiled for: the paper's (Tables 2 and 3: compression, one cubic tangent, one constant
-// tangent; one cubic tangent) and a general one.
+// The two shapes the inner loop is compiled for: the paper's (Tables 2 and 3: compression, one cubic tangent, one
+// constant tangent; one cubic tangent) and a general one.
 using PaperLaw = KernelLaw<3, 4>;
 using GeneralLaw = KernelLaw<8, 6>;
 using PaperShearLaw = KernelLaw<2, 4>;
 
-// Packs a law; `compression_modulus` (MPa) rules below zero strain unless negative (then the law's own pieces do, or its
-// value at the first end). Returns false when the law has too many pieces or too high a degree for the shape.
+// Packs a law; `compression_modulus` (MPa) rules below zero strain unless negative (then the law's own pieces do, or
+// its value at the first end). Returns false when the law has too many pieces or too high a degree for the shape.
 template <int Pieces, int Degree>
 [[nodiscard]] bool pack_law(const TangentLaw& law, double compression_modulus, KernelLaw<Pieces, Degree>& packed);
 

@@ -1,8 +1,8 @@
-// Shear cell: in-plane shear only. With g1, g2 the yarn directions at the cell's centre and sin gamma = g1.g2 of their unit
-// vectors, the paper's logarithmic shear strain (Eq. 6) has the closed form
+// Shear cell: in-plane shear only. With g1, g2 the yarn directions at the cell's centre and sin gamma = g1.g2 of their
+// unit vectors, the paper's logarithmic shear strain (Eq. 6) has the closed form
 //   gamma_L = -ln tan(pi/4 - gamma/2) = atanh(sin gamma) = 1/2 ln((1 + s)/(1 - s)),  s = sin gamma,
-// and the contravariant stress sigma(gamma_L) is the integral of Table 3. The two whole-stress formulations differ in what
-// they return for the forces on g1 and g2 (V0 = area * thickness of the flat cell):
+// and the contravariant stress sigma(gamma_L) is the integral of Table 3. The two whole-stress formulations differ in
+// what they return for the forces on g1 and g2 (V0 = area * thickness of the flat cell):
 //   energy         F = V0 sigma ds/dg       : ds/dg1 = (g2/|g2| - s g1/|g1|)/|g1|    (stored energy, exact balance)
 //   contravariant  F = V0 sigma g2/(|g1||g2|) : sigma (g1 x g2 + g2 x g1) of Eq. 9, without the part along each yarn
 // Thickness: constant-volume keeps V = V0; constant keeps t, so V = V0 cos gamma.
@@ -34,6 +34,12 @@ struct KernelShear {
     const double stress = law.stress(size) + plateau * size / (size + rise);
     return std::copysign(stress, log_strain);
   }
+
+  // C_sh (MPa), even in the strain
+  [[gnu::always_inline]] inline double tangent(double log_strain) const {
+    const double size = std::abs(log_strain);
+    return law.tangent(size) + plateau * rise / ((size + rise) * (size + rise));
+  }
 };
 
 template <Formulation formulation, Thickness thickness, class Law>
@@ -43,7 +49,8 @@ template <Formulation formulation, Thickness thickness, class Law>
   const double square2 = g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2];
   const double dot = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
   const double inverse = 1.0 / std::sqrt(square1 * square2);
-  // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the cell.
+  // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the
+  // cell.
   constexpr double limit = 1.0 - 1e-12;
   double s = dot * inverse;
   s = s > limit ? limit : s;

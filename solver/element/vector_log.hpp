@@ -1,7 +1,7 @@
-// Natural logarithm that a compiler turns into vector instructions: no branch, no table, no relaxed floating point, the same
-// bits in a vector lane as alone. Argument: positive, normal, finite. Error below 1 ulp.
-// Method: x = 2^k z with z in [sqrt(1/2), sqrt 2); log z by the odd series in s = f/(2+f), f = z-1, with the minimax
-// coefficients of FDLIBM (Sun Microsystems 1993, e_log.c).
+// Natural logarithm that a compiler turns into vector instructions: no branch, no table, no relaxed floating point, the
+// same bits in a vector lane as alone. Argument: positive, normal, finite. Error below 1 ulp. Method: x = 2^k z with z
+// in [sqrt(1/2), sqrt 2); log z by the odd series in s = f/(2+f), f = z-1, with the minimax coefficients of FDLIBM (Sun
+// Microsystems 1993, e_log.c).
 #pragma once
 
 #include <bit>
@@ -27,7 +27,8 @@ inline double vector_log(double x) {
             s2 * (3.999999999940941908e-01 +
                   s2 * (2.857142874366239149e-01 +
                         s2 * (2.222219843214978396e-01 +
-                              s2 * (1.818357216161805012e-01 + s2 * (1.531383769920937332e-01 + s2 * 1.479819860511658591e-01))))));
+                              s2 * (1.818357216161805012e-01 +
+                                    s2 * (1.531383769920937332e-01 + s2 * 1.479819860511658591e-01))))));
   const double half_square = 0.5 * f * f;
   return k * ln2_high + (f - (half_square - (s * (half_square + series) + k * ln2_low)));
 }

@@ -23,9 +23,39 @@ private:
 };
 
 struct Scratch {
-  explicit Scratch(int stride)
-      : along{RowBuffer(stride), RowBuffer(stride), RowBuffer(stride)}, across(along), p(along), q(along), carry(along) {}
+  Scratch(int stride, bool with_history)
+      : along{RowBuffer(stride), RowBuffer(stride), RowBuffer(stride)},
+        across(along),
+        p(along),
+        q(along),
+        carry(along) {
+    if (with_history) spare_history.assign(cell_history_size, Doubles(stride));
+  }
   std::array<RowBuffer, 3> along, across, p, q, carry;
+  std::vector<Doubles> spare_history;  // where the histories of a neighbour's row go
+};
+
+// The histories of all cells of one kind, at the last two calls: read from one, written to the other.
+class HistoryStore {
+public:
+  void allocate(int cells) {
+    for (auto& side : side_)
+      for (auto& array : side) array.assign(cells, 0.0);
+  }
+  void swap() { std::swap(side_[0], side_[1]); }
+  [[nodiscard]] std::array<Doubles, cell_history_size>& current() { return side_[0]; }
+  // From entry `offset` on; written to `spare` when given.
+  [[nodiscard]] HistoryArrays arrays(std::size_t offset, std::vector<Doubles>* spare = nullptr) {
+    HistoryArrays result{};
+    for (int k = 0; k < cell_history_size; ++k) {
+      result.before[k] = side_[0][k].data() + offset;
+      result.after[k] = spare != nullptr ? (*spare)[k].data() : side_[1][k].data() + offset;
+    }
+    return result;
+  }
+
+private:
+  std::array<std::array<Doubles, cell_history_size>, 2> side_;
 };
 
 Run united(Run a, Run b) {
@@ -91,25 +121,40 @@ struct FabricForces::Kernels {
   std::array<YarnLawShape, 2> yarn_law;
   ShearLawShape shear;
   std::array<YarnKernels, 2> yarn;
-  CellKernels cell;
+  std::array<double, 2> viscosity = {0.0, 0.0};  // MPa s
+  std::vector<double> row_power;  // mJ/s; per row, so that its sum has one order for any number of threads
+  double viscous_power = 0.0;     // mJ/s
+  bool has_history;
+  CellKernels cell{};
+  HistoryCellKernels history_cell{};
+  HistoryStore lattice_history, loose_history;
   std::vector<int> block;
   std::vector<Scratch> scratch;
   std::array<std::array<Doubles, 3>, 2> loose_yarn_force;
   std::array<Doubles, 3> loose_warp_force, loose_weft_force;
 
   Kernels(const PackedMesh& packed_mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
-          const ModelSpec& model, int threads)
+          const ModelSpec& model, const State& start, int threads)
       : packed(packed_mesh),
         thickness(card.thickness),
         yarn_law{shape_yarn_law(yarn_laws[0], card.yarn[0].compression_modulus * model.yarn_stiffness_scale, "warp"),
                  shape_yarn_law(yarn_laws[1], card.yarn[1].compression_modulus * model.yarn_stiffness_scale, "weft")},
         shear(shape_shear_law(card.shear)),
+        row_power(packed_mesh.rows, 0.0),
+        has_history(model.formulation == "incremental" || model.formulation == "side-frame"),
         block(balanced_blocks(packed_mesh, threads)) {
     const Section section = model.section == "constant" ? Section::constant : Section::incompressible;
     for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(section, yarn_law[f].is_paper);
-    cell = cell_kernels(model.formulation == "contravariant" ? Formulation::contravariant : Formulation::energy,
-                        model.thickness == "constant" ? Thickness::constant : Thickness::constant_volume, shear.is_paper);
-    for (int t = 0; t < threads; ++t) scratch.emplace_back(packed.stride);
+    const Thickness kind = model.thickness == "constant" ? Thickness::constant : Thickness::constant_volume;
+    if (has_history) {
+      history_cell = history_cell_kernels(model.formulation == "side-frame" ? Frame::side : Frame::green_naghdi, kind,
+                                          shear.is_paper);
+      start_history(start);
+    } else {
+      cell = cell_kernels(model.formulation == "contravariant" ? Formulation::contravariant : Formulation::energy, kind,
+                          shear.is_paper);
+    }
+    for (int t = 0; t < threads; ++t) scratch.emplace_back(packed.stride, has_history);
     for (int c = 0; c < 3; ++c) {
       for (int f = 0; f < 2; ++f) loose_yarn_force[f][c].resize(packed.loose_yarns[f].size());
       loose_warp_force[c].resize(packed.loose_cells.size());
@@ -117,11 +162,33 @@ struct FabricForces::Kernels {
     }
   }
 
-  [[nodiscard]] RowPair row_pair(const State& state, int row_a, int shift_b, int row_b) const {
+  // Histories begin with the directions of the start state and no stress.
+  void start_history(const State& start) {
+    lattice_history.allocate(packed.lattice_nodes());
+    loose_history.allocate(packed.loose_cells.size());
+    for (int c = 0; c < 3; ++c) {
+      const double* x = start.position[c].data();
+      for (int j = 0; j + 1 < packed.rows; ++j)
+        for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r)
+          for (int i = packed.cell_runs.run[r].begin; i < packed.cell_runs.run[r].end; ++i) {
+            const int n = j * packed.stride + i, up = n + packed.stride;
+            lattice_history.current()[c][n] = 0.5 * (x[n + 1] - x[n] + x[up + 1] - x[up]) / packed.spacing[0];
+            lattice_history.current()[3 + c][n] = 0.5 * (x[up] - x[n] + x[up + 1] - x[n + 1]) / packed.spacing[1];
+          }
+      const auto& loose = packed.loose_cells;
+      for (int e = 0; e < loose.size(); ++e)
+        for (int a = 0; a < LooseCells::width; ++a) {
+          loose_history.current()[c][e] += loose.warp_coefficient[e][a] * x[loose.node[e][a]];
+          loose_history.current()[3 + c][e] += loose.weft_coefficient[e][a] * x[loose.node[e][a]];
+        }
+    }
+  }
+
+  [[nodiscard]] RowPair row_pair(const Components& values, int row_a, int shift_b, int row_b) const {
     RowPair rows{};
     for (int c = 0; c < 3; ++c) {
-      rows.a[c] = state.position[c].data() + static_cast<std::size_t>(row_a) * packed.stride;
-      rows.b[c] = state.position[c].data() + static_cast<std::size_t>(row_b) * packed.stride + shift_b;
+      rows.a[c] = values[c].data() + static_cast<std::size_t>(row_a) * packed.stride;
+      rows.b[c] = values[c].data() + static_cast<std::size_t>(row_b) * packed.stride + shift_b;
     }
     return rows;
   }
@@ -130,48 +197,61 @@ struct FabricForces::Kernels {
     return {buffers[0].data(), buffers[1].data(), buffers[2].data()};
   }
 
-  void along_row(const State& state, int j, Scratch& s) const {
+  void along_row(const State& state, int j, Scratch& s) {
     double* const t[3] = {s.along[0].data(), s.along[1].data(), s.along[2].data()};
-    const RowPair rows = row_pair(state, j, 1, j);
+    const RowPair rows = row_pair(state.position, j, 1, j), velocity = row_pair(state.velocity, j, 1, j);
     const double* area = packed.warp_section.data() + static_cast<std::size_t>(j) * packed.stride;
     for (int r = packed.warp_runs.first[j]; r < packed.warp_runs.first[j + 1]; ++r)
-      yarn[0].row(yarn_law[0].pointer(), rows, packed.spacing[0], area, packed.warp_runs.run[r].begin,
-                  packed.warp_runs.run[r].end, t);
+      row_power[j] += yarn[0].row(yarn_law[0].pointer(), rows, velocity, packed.spacing[0], viscosity[0], area,
+                                  packed.warp_runs.run[r].begin, packed.warp_runs.run[r].end, t);
   }
 
   // Weft elements and cells between rows j and j+1.
-  void between_rows(const State& state, int j, Run range, Scratch& s) const {
+  // `foreign`: the row is a neighbour block's own, which alone keeps its histories and counts its power.
+  void between_rows(const State& state, int j, Run range, Scratch& s, bool foreign = false) {
     for (auto* buffers : {&s.across, &s.p, &s.q})
       for (auto& buffer : *buffers) buffer.clear(range);
     if (j + 1 >= packed.rows) return;
-    const RowPair rows = row_pair(state, j, 0, j + 1);
+    const RowPair rows = row_pair(state.position, j, 0, j + 1), velocity = row_pair(state.velocity, j, 0, j + 1);
     const auto offset = static_cast<std::size_t>(j) * packed.stride;
     double* const t[3] = {s.across[0].data(), s.across[1].data(), s.across[2].data()};
-    for (int r = packed.weft_runs.first[j]; r < packed.weft_runs.first[j + 1]; ++r)
-      yarn[1].row(yarn_law[1].pointer(), rows, packed.spacing[1], packed.weft_section.data() + offset,
-                  packed.weft_runs.run[r].begin, packed.weft_runs.run[r].end, t);
-    const CellRowOutput out{{s.p[0].data(), s.p[1].data(), s.p[2].data()}, {s.q[0].data(), s.q[1].data(), s.q[2].data()}};
-    for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r)
-      cell.row(shear.pointer(), rows, 1.0 / packed.spacing[0], 1.0 / packed.spacing[1], packed.cell_area.data() + offset,
-               thickness, packed.cell_runs.run[r].begin, packed.cell_runs.run[r].end, out);
+    for (int r = packed.weft_runs.first[j]; r < packed.weft_runs.first[j + 1]; ++r) {
+      const double power = yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1],
+                                       packed.weft_section.data() + offset, packed.weft_runs.run[r].begin,
+                                       packed.weft_runs.run[r].end, t);
+      if (!foreign) row_power[j] += power;
+    }
+    const CellRowOutput out{{s.p[0].data(), s.p[1].data(), s.p[2].data()},
+                            {s.q[0].data(), s.q[1].data(), s.q[2].data()}};
+    const double inverse1 = 1.0 / packed.spacing[0], inverse2 = 1.0 / packed.spacing[1];
+    const double* area = packed.cell_area.data() + offset;
+    for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r) {
+      const auto [begin, end] = packed.cell_runs.run[r];
+      if (has_history)
+        history_cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end,
+                         lattice_history.arrays(offset, foreign ? &s.spare_history : nullptr), out);
+      else
+        cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end, out);
+    }
   }
 
   [[nodiscard]] Run reach(int j) const {
     return united(packed.span(j), j + 1 < packed.rows ? packed.span(j + 1) : Run{});
   }
 
-  void lattice_block(State& state, int first, int last, Scratch& s) const {
+  void lattice_block(State& state, int first, int last, Scratch& s) {
     if (first == last) return;
     for (auto& buffer : s.carry) buffer.clear({0, packed.stride});
     if (first > 0) {  // the block's first row also carries the elements below it, which its neighbour computes too
       const Run range = reach(first - 1);
-      between_rows(state, first - 1, range, s);
+      between_rows(state, first - 1, range, s, true);
       for (int c = 0; c < 3; ++c)
         carry_row(s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(), range.begin, range.end);
     }
     for (int j = first; j < last; ++j) {
       const Run range = reach(j);
       for (auto& buffer : s.along) buffer.clear(range);
+      row_power[j] = 0.0;
       along_row(state, j, s);
       between_rows(state, j, range, s);
       for (int c = 0; c < 3; ++c)
@@ -184,11 +264,12 @@ struct FabricForces::Kernels {
     const auto& yarns = packed.loose_yarns[family];
     auto& force = loose_yarn_force[family];
     const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
+    const double* const v[3] = {state.velocity[0].data(), state.velocity[1].data(), state.velocity[2].data()};
     double* const t[3] = {force[0].data(), force[1].data(), force[2].data()};
-    yarn[family].loose(yarn_law[family].pointer(),
-                       {yarns.size(), yarns.node0.data(), yarns.node1.data(), yarns.length.data(), yarns.jaw.data(),
-                        yarns.section.data()},
-                       x, t);
+    viscous_power += yarn[family].loose(yarn_law[family].pointer(),
+                                        {yarns.size(), yarns.node0.data(), yarns.node1.data(), yarns.length.data(),
+                                         yarns.jaw.data(), yarns.section.data()},
+                                        viscosity[family], x, v, t);
     for (int c = 0; c < 3; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < yarns.size(); ++e) {
@@ -204,23 +285,24 @@ struct FabricForces::Kernels {
     const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
     double* const warp[3] = {loose_warp_force[0].data(), loose_warp_force[1].data(), loose_warp_force[2].data()};
     double* const weft[3] = {loose_weft_force[0].data(), loose_weft_force[1].data(), loose_weft_force[2].data()};
-    cell.loose(shear.pointer(),
-               {cells.size(), cells.node[0].data(), cells.warp_coefficient[0].data(), cells.weft_coefficient[0].data(),
-                cells.area.data()},
-               thickness, x, warp, weft);
+    const LooseCellView view{cells.size(), cells.node[0].data(), cells.warp_coefficient[0].data(),
+                             cells.weft_coefficient[0].data(), cells.area.data()};
+    if (has_history)
+      history_cell.loose(shear.pointer(), view, thickness, x, loose_history.arrays(0), warp, weft);
+    else
+      cell.loose(shear.pointer(), view, thickness, x, warp, weft);
     for (int c = 0; c < 3; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < cells.size(); ++e)
         for (int a = 0; a < LooseCells::width; ++a)
-          f[cells.node[e][a]] -=
-              cells.warp_coefficient[e][a] * warp[c][e] + cells.weft_coefficient[e][a] * weft[c][e];
+          f[cells.node[e][a]] -= cells.warp_coefficient[e][a] * warp[c][e] + cells.weft_coefficient[e][a] * weft[c][e];
     }
   }
 };
 
 FabricForces::FabricForces(const PackedMesh& packed, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
-                           const ModelSpec& model, int threads)
-    : kernels_(std::make_unique<Kernels>(packed, card, yarn_laws, model, threads)) {}
+                           const ModelSpec& model, const State& start, int threads)
+    : kernels_(std::make_unique<Kernels>(packed, card, yarn_laws, model, start, threads)) {}
 
 FabricForces::~FabricForces() = default;
 
@@ -230,8 +312,48 @@ void FabricForces::compute(State& state) {
 #pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
   for (int b = 0; b < blocks; ++b) k.lattice_block(state, k.block[b], k.block[b + 1], k.scratch[b]);
   for (int c = 0; c < 3; ++c) std::fill(state.force[c].begin() + k.packed.lattice_nodes(), state.force[c].end(), 0.0);
+  k.viscous_power = 0.0;
+  for (const double power : k.row_power) k.viscous_power += power;
   for (int f = 0; f < 2; ++f) k.loose_yarn_forces(state, f);
   k.loose_cell_forces(state);
+  if (k.has_history) {
+    k.lattice_history.swap();
+    k.loose_history.swap();
+  }
+}
+
+void FabricForces::set_viscosity(const std::array<double, 2>& viscosity) {
+  kernels_->viscosity = viscosity;
+}
+
+double FabricForces::viscous_power() const {
+  return kernels_->viscous_power;
+}
+
+double FabricForces::cell_work() const {
+  if (!kernels_->has_history) return 0.0;
+  double work = 0.0;
+  for (auto* store : {&kernels_->lattice_history, &kernels_->loose_history})
+    for (const double w : store->current().back()) work += w;
+  return work;
+}
+
+std::vector<double> FabricForces::history() const {
+  std::vector<double> result;
+  if (!kernels_->has_history) return result;
+  for (auto* store : {&kernels_->lattice_history, &kernels_->loose_history})
+    for (const auto& array : store->current()) result.insert(result.end(), array.begin(), array.end());
+  return result;
+}
+
+void FabricForces::set_history(const std::vector<double>& history) {
+  auto from = history.begin();
+  for (auto* store : {&kernels_->lattice_history, &kernels_->loose_history})
+    for (auto& array : store->current()) {
+      if (history.end() - from < static_cast<std::ptrdiff_t>(array.size())) return;
+      std::copy_n(from, array.size(), array.begin());
+      from += static_cast<std::ptrdiff_t>(array.size());
+    }
 }
 
 }  // namespace weaveform

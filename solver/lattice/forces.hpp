@@ -1,5 +1,6 @@
-// Internal forces of the woven fabric: truss yarns and shear cells, rows of the lattice first, then the loose elements that
-// the outline left. Every node's force is summed in one fixed order, so the bits do not depend on the number of threads.
+// Internal forces of the woven fabric: truss yarns and shear cells, rows of the lattice first, then the loose elements
+// that the outline left. Every node's force is summed in one fixed order, so the bits do not depend on the number of
+// threads.
 #pragma once
 
 #include <array>
@@ -14,15 +15,28 @@ namespace weaveform {
 
 class FabricForces {
 public:
-  // Throws InputError when a law of the card has more pieces or a higher degree than the inner loop takes (8, 6).
+  // `start` gives the directions that cells with a history (incremental, side-frame) count their increments from.
+  // Throws InputError when a law of the card has more pieces or a higher degree than the inner loop takes.
   FabricForces(const PackedMesh& packed, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
-               const ModelSpec& model, int threads);
+               const ModelSpec& model, const State& start, int threads);
   ~FabricForces();
   FabricForces(const FabricForces&) = delete;
   FabricForces& operator=(const FabricForces&) = delete;
 
-  // Sets state.force from state.position (N; all nodes).
+  // MPa s; the yarns' axial viscosity (yarn.hpp), warp and weft. 0 until set.
+  void set_viscosity(const std::array<double, 2>& viscosity);
+
+  // Sets state.force from state.position and, with viscosity, state.velocity (N; all nodes).
+  // Cells with a history move on with every call.
   void compute(State& state);
+
+  // mJ/s; power of the yarns' viscosity in the last call.
+  [[nodiscard]] double viscous_power() const;
+  // mJ; work done on the cells so far, for formulations with a history (0 for the others).
+  [[nodiscard]] double cell_work() const;
+  // The history of all cells as one list, for checkpoints; empty when the formulation has none.
+  [[nodiscard]] std::vector<double> history() const;
+  void set_history(const std::vector<double>& history);
 
 private:
   struct Kernels;

@@ -80,7 +80,8 @@ void place_yarns(const Mesh& mesh, PackedMesh& packed) {
   packed.weft_runs = runs_of(weft, packed.stride, packed.rows);
 }
 
-// A cell is of the lattice when its nodes are the four crossings around it; its directions are then those of the centre.
+// A cell is of the lattice when its nodes are the four crossings around it; its directions are then those of the
+// centre.
 bool is_lattice_cell(const Mesh& mesh, int c) {
   const int begin = mesh.cells.offset[c], count = mesh.cells.offset[c + 1] - begin;
   if (count != 4) return false;

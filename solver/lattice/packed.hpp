@@ -1,5 +1,5 @@
-// The mesh as the inner loop sees it: crossings in rows with constant neighbour offsets, cut into runs where the outline
-// trims them, and a small general list for the rest (yarn ends and cut cells).
+// The mesh as the inner loop sees it: crossings in rows with constant neighbour offsets, cut into runs where the
+// outline trims them, and a small general list for the rest (yarn ends and cut cells).
 //
 //   node (i, j) of the lattice  ->  index j * stride + i ;  yarn ends follow behind the last row
 //   warp element (i,j)-(i+1,j), weft element (i,j)-(i,j+1) and cell (i,j) are stored under their first node's index
@@ -43,17 +43,17 @@ struct LooseCells {
 };
 
 struct PackedMesh {
-  int stride = 0;         // doubles per row, a multiple of the vector width
-  int rows = 0;           // rows of crossings
-  int nodes = 0;          // stride * rows + yarn ends
-  std::array<double, 2> spacing = {0.0, 0.0};  // mm
+  int stride = 0;                                      // doubles per row, a multiple of the vector width
+  int rows = 0;                                        // rows of crossings
+  int nodes = 0;                                       // stride * rows + yarn ends
+  std::array<double, 2> spacing = {0.0, 0.0};          // mm
   RowRuns node_runs, warp_runs, weft_runs, cell_runs;  // weft and cell runs of row j join rows j and j+1
   std::vector<double> warp_section, weft_section;      // mm^2; per first node, 0 where there is none
   std::vector<double> cell_area;                       // mm^2; per first node
   std::array<LooseYarns, 2> loose_yarns;               // warp, weft
   LooseCells loose_cells;
-  std::vector<double> mass;             // tonne; 1 where no node is
-  std::vector<int> packed_of_mesh;      // packed index of each mesh node
+  std::vector<double> mass;         // tonne; 1 where no node is
+  std::vector<int> packed_of_mesh;  // packed index of each mesh node
   [[nodiscard]] int lattice_nodes() const { return stride * rows; }
   // Range of i that row j's nodes span; {0, 0} when empty.
   [[nodiscard]] Run span(int row) const;

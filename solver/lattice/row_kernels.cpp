@@ -6,104 +6,202 @@ namespace weaveform {
 namespace {
 
 template <Section section, class Law>
-void yarn_row(const void* law_pointer, const RowPair& rows, double rest, const double* area, int begin, int end,
-              double* const (&t)[3]) {
+double yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& velocity, double rest, double viscosity,
+                const double* area, int begin, int end, double* const (&t)[3]) {
   const Law law = *static_cast<const Law*>(law_pointer);
   const double *ax = rows.a[0], *ay = rows.a[1], *az = rows.a[2];
   const double *bx = rows.b[0], *by = rows.b[1], *bz = rows.b[2];
+  const double *avx = velocity.a[0], *avy = velocity.a[1], *avz = velocity.a[2];
+  const double *bvx = velocity.b[0], *bvy = velocity.b[1], *bvz = velocity.b[2];
   double *tx = t[0], *ty = t[1], *tz = t[2];
-#pragma omp simd
+  double power = 0.0;
+#pragma omp simd reduction(+ : power)
   for (int i = begin; i < end; ++i) {
     const double dx = bx[i] - ax[i], dy = by[i] - ay[i], dz = bz[i] - az[i];
-    const double per_length = yarn_force_per_length<section>(law, dx * dx + dy * dy + dz * dz, rest, area[i]);
+    const double rate = dx * (bvx[i] - avx[i]) + dy * (bvy[i] - avy[i]) + dz * (bvz[i] - avz[i]);
+    const double square = dx * dx + dy * dy + dz * dz;
+    const double viscous = viscous_force_per_length(square, rate, rest, area[i], viscosity);
+    const double per_length = yarn_force_per_length<section>(law, square, rest, area[i]) + viscous;
+    power += viscous * rate;
     tx[i] = per_length * dx;
     ty[i] = per_length * dy;
     tz[i] = per_length * dz;
   }
+  return power;
 }
 
 template <Section section, class Law>
-void loose_yarns(const void* law_pointer, const LooseYarnView& yarns, const double* const (&x)[3], double* const (&t)[3]) {
+double loose_yarns(const void* law_pointer, const LooseYarnView& yarns, double viscosity, const double* const (&x)[3],
+                   const double* const (&v)[3], double* const (&t)[3]) {
   const Law law = *static_cast<const Law*>(law_pointer);
   const double *px = x[0], *py = x[1], *pz = x[2];
+  const double *vx = v[0], *vy = v[1], *vz = v[2];
   double *tx = t[0], *ty = t[1], *tz = t[2];
   const int *node0 = yarns.node0, *node1 = yarns.node1;
   const double *length = yarns.length, *jaw = yarns.jaw, *sections = yarns.section;
-#pragma omp simd
+  double power = 0.0;
+#pragma omp simd reduction(+ : power)
   for (int e = 0; e < yarns.count; ++e) {
     const int a = node0[e], b = node1[e];
     const double dx = px[b] - px[a], dy = py[b] - py[a], dz = pz[b] - pz[a];
-    const double per_length =
-        yarn_force_per_length<section>(law, dx * dx + dy * dy + dz * dz, length[e], jaw[e], sections[e]);
+    const double rate = dx * (vx[b] - vx[a]) + dy * (vy[b] - vy[a]) + dz * (vz[b] - vz[a]);
+    const double square = dx * dx + dy * dy + dz * dz;
+    const double viscous = viscous_force_per_length(square, rate, length[e], sections[e], viscosity);
+    const double per_length = yarn_force_per_length<section>(law, square, length[e], jaw[e], sections[e]) + viscous;
+    power += viscous * rate;
     tx[e] = per_length * dx;
     ty[e] = per_length * dy;
     tz[e] = per_length * dz;
   }
+  return power;
+}
+
+// Directions at a full quad's centre from its diagonals d = x11 - x00, e = x10 - x01: g1 = (d + e)/2h1, g2 = (d -
+// e)/2h2.
+struct Directions {
+  double warp[3], weft[3];
+};
+
+[[gnu::always_inline]] inline Directions quad_directions(const RowPair& rows, int i, double half1, double half2) {
+  Directions g;
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    const double d = rows.b[c][i + 1] - rows.a[c][i], e = rows.a[c][i + 1] - rows.b[c][i];
+    g.warp[c] = half1 * (d + e);
+    g.weft[c] = half2 * (d - e);
+  }
+  return g;
+}
+
+// f_a = -(c1_a F1 + c2_a F2): the lower first corner has c = (-, -)/2h, the upper first one (-, +)/2h.
+[[gnu::always_inline]] inline void write_quad(const CellRowOutput& out, int i, double half1, double half2,
+                                              const CellForce& f) {
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    out.p[c][i] = half1 * f.warp[c] + half2 * f.weft[c];
+    out.q[c][i] = half1 * f.warp[c] - half2 * f.weft[c];
+  }
 }
 
 template <Formulation formulation, Thickness thickness_kind, class Shear>
-void cell_row(const void* shear_pointer, const RowPair& rows, double inverse1, double inverse2, const double* area,
-              double thickness, int begin, int end, const CellRowOutput& out) {
+void cell_row(const void* shear_pointer, const RowPair& row_pair, double inverse1, double inverse2, const double* area,
+              double thickness, int begin, int end, const CellRowOutput& output) {
   const Shear shear = *static_cast<const Shear*>(shear_pointer);
-  const double *lx = rows.a[0], *ly = rows.a[1], *lz = rows.a[2];
-  const double *ux = rows.b[0], *uy = rows.b[1], *uz = rows.b[2];
-  double *px = out.p[0], *py = out.p[1], *pz = out.p[2];
-  double *qx = out.q[0], *qy = out.q[1], *qz = out.q[2];
+  const RowPair rows = row_pair;
+  const CellRowOutput out = output;
   const double half1 = 0.5 * inverse1, half2 = 0.5 * inverse2;
 #pragma omp simd
   for (int i = begin; i < end; ++i) {
-    // diagonals d = x11 - x00, e = x10 - x01; the centre's directions are g1 = (d + e)/2h1, g2 = (d - e)/2h2
-    const double dx = ux[i + 1] - lx[i], dy = uy[i + 1] - ly[i], dz = uz[i + 1] - lz[i];
-    const double ex = lx[i + 1] - ux[i], ey = ly[i + 1] - uy[i], ez = lz[i + 1] - uz[i];
-    const double g1[3] = {half1 * (dx + ex), half1 * (dy + ey), half1 * (dz + ez)};
-    const double g2[3] = {half2 * (dx - ex), half2 * (dy - ey), half2 * (dz - ez)};
-    const CellForce force = shear_cell_force<formulation, thickness_kind>(shear, g1, g2, area[i] * thickness);
-    // f_a = -(c1_a F1 + c2_a F2): x00 has c = (-,-)/2h, x01 has (-,+)
-    px[i] = half1 * force.warp[0] + half2 * force.weft[0];
-    py[i] = half1 * force.warp[1] + half2 * force.weft[1];
-    pz[i] = half1 * force.warp[2] + half2 * force.weft[2];
-    qx[i] = half1 * force.warp[0] - half2 * force.weft[0];
-    qy[i] = half1 * force.warp[1] - half2 * force.weft[1];
-    qz[i] = half1 * force.warp[2] - half2 * force.weft[2];
+    const Directions g = quad_directions(rows, i, half1, half2);
+    write_quad(out, i, half1, half2,
+               shear_cell_force<formulation, thickness_kind>(shear, g.warp, g.weft, area[i] * thickness));
+  }
+}
+
+[[gnu::always_inline]] inline CellHistory load_history(const HistoryArrays& history, int i) {
+  const auto& b = history.before;
+  return {{b[0][i], b[1][i], b[2][i]}, {b[3][i], b[4][i], b[5][i]}, b[6][i], b[7][i], b[8][i], b[9][i], b[10][i]};
+}
+
+[[gnu::always_inline]] inline void store_history(const HistoryArrays& history, int i, const CellHistory& h) {
+  const double value[cell_history_size] = {h.warp[0], h.warp[1], h.warp[2], h.weft[0], h.weft[1], h.weft[2],
+                                           h.stress1, h.stress2, h.stress4, h.strain,  h.work};
+#pragma GCC unroll 16
+  for (int k = 0; k < cell_history_size; ++k) history.after[k][i] = value[k];
+}
+
+template <Frame frame, Thickness thickness_kind, class Shear>
+void history_cell_row(const void* shear_pointer, const RowPair& row_pair, double inverse1, double inverse2,
+                      const double* area, double thickness, int begin, int end, const HistoryArrays& arrays,
+                      const CellRowOutput& output) {
+  const Shear shear = *static_cast<const Shear*>(shear_pointer);
+  const RowPair rows = row_pair;
+  const HistoryArrays history = arrays;
+  const CellRowOutput out = output;
+  const double half1 = 0.5 * inverse1, half2 = 0.5 * inverse2;
+#pragma omp simd
+  for (int i = begin; i < end; ++i) {
+    const Directions g = quad_directions(rows, i, half1, half2);
+    CellHistory state = load_history(history, i);
+    const CellForce force =
+        incremental_cell_force<frame, thickness_kind>(shear, g.warp, g.weft, area[i] * thickness, state);
+    store_history(history, i, state);
+    write_quad(out, i, half1, half2, force);
+  }
+}
+
+// Directions of a cut cell from all its nodes, relative to the first, so that a translation leaves the bits alone.
+[[gnu::always_inline]] inline Directions loose_directions(const LooseCellView& cells, const double* const (&x)[3],
+                                                          int cell) {
+  constexpr int width = LooseCells::width;
+  Directions g{};
+  const int first = cells.node[cell * width];
+#pragma GCC unroll 8
+  for (int a = 1; a < width; ++a) {
+    const int n = cells.node[cell * width + a];
+    const double c1 = cells.warp[cell * width + a], c2 = cells.weft[cell * width + a];
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c) {
+      const double offset = x[c][n] - x[c][first];
+      g.warp[c] += c1 * offset;
+      g.weft[c] += c2 * offset;
+    }
+  }
+  return g;
+}
+
+[[gnu::always_inline]] inline void write_loose(double* const (&warp_force)[3], double* const (&weft_force)[3], int cell,
+                                               const CellForce& force) {
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    warp_force[c][cell] = force.warp[c];
+    weft_force[c][cell] = force.weft[c];
   }
 }
 
 template <Formulation formulation, Thickness thickness_kind, class Shear>
-void loose_cells(const void* shear_pointer, const LooseCellView& cells, double thickness, const double* const (&x)[3],
-                 double* const (&warp_force)[3], double* const (&weft_force)[3]) {
-  constexpr int width = LooseCells::width;
+void loose_cells(const void* shear_pointer, const LooseCellView& view, double thickness,
+                 const double* const (&positions)[3], double* const (&warp_force)[3], double* const (&weft_force)[3]) {
   const Shear shear = *static_cast<const Shear*>(shear_pointer);
-  const double *px = x[0], *py = x[1], *pz = x[2];
-  double *wx = warp_force[0], *wy = warp_force[1], *wz = warp_force[2];
-  double *fx = weft_force[0], *fy = weft_force[1], *fz = weft_force[2];
-  const int* nodes = cells.node;
-  const double *warp = cells.warp, *weft = cells.weft, *area = cells.area;
+  const LooseCellView cells = view;
+  const double* const x[3] = {positions[0], positions[1], positions[2]};
+  double* const warp[3] = {warp_force[0], warp_force[1], warp_force[2]};
+  double* const weft[3] = {weft_force[0], weft_force[1], weft_force[2]};
 #pragma omp simd
   for (int c = 0; c < cells.count; ++c) {
-    double g1[3] = {0.0, 0.0, 0.0}, g2[3] = {0.0, 0.0, 0.0};
-    // relative to the first node, so that a translation leaves the bits alone
-    const int first = nodes[c * width];
-    const double ox = px[first], oy = py[first], oz = pz[first];
-#pragma GCC unroll 8
-    for (int a = 1; a < width; ++a) {
-      const int n = nodes[c * width + a];
-      const double c1 = warp[c * width + a], c2 = weft[c * width + a];
-      const double rx = px[n] - ox, ry = py[n] - oy, rz = pz[n] - oz;
-      g1[0] += c1 * rx;
-      g1[1] += c1 * ry;
-      g1[2] += c1 * rz;
-      g2[0] += c2 * rx;
-      g2[1] += c2 * ry;
-      g2[2] += c2 * rz;
-    }
-    const CellForce force = shear_cell_force<formulation, thickness_kind>(shear, g1, g2, area[c] * thickness);
-    wx[c] = force.warp[0];
-    wy[c] = force.warp[1];
-    wz[c] = force.warp[2];
-    fx[c] = force.weft[0];
-    fy[c] = force.weft[1];
-    fz[c] = force.weft[2];
+    const Directions g = loose_directions(cells, x, c);
+    write_loose(warp, weft, c,
+                shear_cell_force<formulation, thickness_kind>(shear, g.warp, g.weft, cells.area[c] * thickness));
   }
+}
+
+template <Frame frame, Thickness thickness_kind, class Shear>
+void history_loose_cells(const void* shear_pointer, const LooseCellView& view, double thickness,
+                         const double* const (&positions)[3], const HistoryArrays& arrays,
+                         double* const (&warp_force)[3], double* const (&weft_force)[3]) {
+  const Shear shear = *static_cast<const Shear*>(shear_pointer);
+  const LooseCellView cells = view;
+  const HistoryArrays history = arrays;
+  const double* const x[3] = {positions[0], positions[1], positions[2]};
+  double* const warp[3] = {warp_force[0], warp_force[1], warp_force[2]};
+  double* const weft[3] = {weft_force[0], weft_force[1], weft_force[2]};
+#pragma omp simd
+  for (int c = 0; c < cells.count; ++c) {
+    const Directions g = loose_directions(cells, x, c);
+    CellHistory state = load_history(history, c);
+    const CellForce force =
+        incremental_cell_force<frame, thickness_kind>(shear, g.warp, g.weft, cells.area[c] * thickness, state);
+    store_history(history, c, state);
+    write_loose(warp, weft, c, force);
+  }
+}
+
+template <Frame frame, Thickness thickness>
+HistoryCellKernels shaped_history_kernels(bool paper) {
+  using Paper = KernelShear<PaperShearLaw>;
+  using General = KernelShear<GeneralLaw>;
+  if (paper) return {&history_cell_row<frame, thickness, Paper>, &history_loose_cells<frame, thickness, Paper>};
+  return {&history_cell_row<frame, thickness, General>, &history_loose_cells<frame, thickness, General>};
 }
 
 template <Formulation formulation, Thickness thickness>
@@ -136,8 +234,17 @@ CellKernels cell_kernels(Formulation formulation, Thickness thickness, bool pape
                   : shaped_cell_kernels<Formulation::contravariant, Thickness::constant_volume>(paper);
 }
 
-void assemble_row(const double* along, const double* across, const double* p, const double* q, double* carry, double* force,
-                  int begin, int end) {
+HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, bool paper) {
+  const bool constant = thickness == Thickness::constant;
+  if (frame == Frame::green_naghdi)
+    return constant ? shaped_history_kernels<Frame::green_naghdi, Thickness::constant>(paper)
+                    : shaped_history_kernels<Frame::green_naghdi, Thickness::constant_volume>(paper);
+  return constant ? shaped_history_kernels<Frame::side, Thickness::constant>(paper)
+                  : shaped_history_kernels<Frame::side, Thickness::constant_volume>(paper);
+}
+
+void assemble_row(const double* along, const double* across, const double* p, const double* q, double* carry,
+                  double* force, int begin, int end) {
 #pragma omp simd
   for (int i = begin; i < end; ++i) {
     force[i] = (along[i] - along[i - 1]) + (p[i] - q[i - 1]) + across[i] + carry[i];

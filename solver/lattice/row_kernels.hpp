@@ -1,7 +1,8 @@
-// The inner loop: elements begin <= i < end of one row. Compiled for the machine's own instruction set (this file's source
-// alone; it must include nothing whose inline code other files share).
+// The inner loop: elements begin <= i < end of one row. Compiled for the machine's own instruction set (this file's
+// source alone; it must include nothing whose inline code other files share).
 #pragma once
 
+#include "solver/element/incremental_cell.hpp"
 #include "solver/element/kernel_law.hpp"
 #include "solver/element/shear_cell.hpp"
 #include "solver/element/yarn.hpp"
@@ -14,9 +15,10 @@ struct RowPair {
   const double* b[3];
 };
 
-// Yarn elements from a[i] to b[i]: t[c][i] = force on node a (N), the opposite on node b.
-using YarnRow = void (*)(const void* law, const RowPair& rows, double rest, const double* area, int begin, int end,
-                         double* const (&t)[3]);
+// Yarn elements from a[i] to b[i]: t[c][i] = force on node a (N), the opposite on node b. `velocity` pairs up like
+// `rows`; `viscosity` (MPa s) is that of yarn.hpp. Returns the viscous power (mJ/s).
+using YarnRow = double (*)(const void* law, const RowPair& rows, const RowPair& velocity, double rest, double viscosity,
+                           const double* area, int begin, int end, double* const (&t)[3]);
 
 // Cells with corners lower[i], lower[i+1], upper[i], upper[i+1]:
 //   p[c][i] = force on lower[i]   (the opposite on upper[i+1])
@@ -34,16 +36,30 @@ struct LooseYarnView {
   const int *node0, *node1;
   const double *length, *jaw, *section;
 };
-using LooseYarnLoop = void (*)(const void* law, const LooseYarnView& yarns, const double* const (&x)[3],
-                               double* const (&t)[3]);
+using LooseYarnLoop = double (*)(const void* law, const LooseYarnView& yarns, double viscosity,
+                                 const double* const (&x)[3], const double* const (&v)[3], double* const (&t)[3]);
 struct LooseCellView {
   int count;
-  const int* node;             // width per cell
-  const double *warp, *weft;   // coefficients, width per cell
+  const int* node;            // width per cell
+  const double *warp, *weft;  // coefficients, width per cell
   const double* area;
 };
-using LooseCellLoop = void (*)(const void* shear, const LooseCellView& cells, double thickness, const double* const (&x)[3],
-                               double* const (&warp_force)[3], double* const (&weft_force)[3]);
+using LooseCellLoop = void (*)(const void* shear, const LooseCellView& cells, double thickness,
+                               const double* const (&x)[3], double* const (&warp_force)[3],
+                               double* const (&weft_force)[3]);
+
+// The same for cells with a history: one array per member of CellHistory, in its order, read from `before` and written
+// to `after` (different arrays, so that two threads may both compute the row between their blocks).
+struct HistoryArrays {
+  const double* before[cell_history_size];
+  double* after[cell_history_size];
+};
+using HistoryCellRow = void (*)(const void* shear, const RowPair& rows, double inverse_spacing1,
+                                double inverse_spacing2, const double* area, double thickness, int begin, int end,
+                                const HistoryArrays& history, const CellRowOutput& out);
+using HistoryLooseCellLoop = void (*)(const void* shear, const LooseCellView& cells, double thickness,
+                                      const double* const (&x)[3], const HistoryArrays& history,
+                                      double* const (&warp_force)[3], double* const (&weft_force)[3]);
 
 struct YarnKernels {
   YarnRow row;
@@ -54,14 +70,20 @@ struct CellKernels {
   LooseCellLoop loose;
 };
 
+struct HistoryCellKernels {
+  HistoryCellRow row;
+  HistoryLooseCellLoop loose;
+};
+
 // `paper` says that the law at hand is a PaperLaw (or KernelShear<PaperShearLaw>); otherwise the general shape.
 [[nodiscard]] YarnKernels yarn_kernels(Section section, bool paper);
 [[nodiscard]] CellKernels cell_kernels(Formulation formulation, Thickness thickness, bool paper);
+[[nodiscard]] HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, bool paper);
 
 // f[i] = along[i] - along[i-1] + p[i] - q[i-1] + across[i] + carry[i], and the carry for the next row,
 // carry[i] = q[i] - p[i-1] - across[i]; arrays are readable at begin - 1.
-void assemble_row(const double* along, const double* across, const double* p, const double* q, double* carry, double* force,
-                  int begin, int end);
+void assemble_row(const double* along, const double* across, const double* p, const double* q, double* carry,
+                  double* force, int begin, int end);
 void carry_row(const double* across, const double* p, const double* q, double* carry, int begin, int end);
 
 // One leapfrog step of nodes begin <= n < end in one component (Newmark 1959, beta = 0, velocities at half steps):

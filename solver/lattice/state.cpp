@@ -8,8 +8,7 @@ State initial_state(const PackedMesh& packed, const Mesh& mesh) {
     state.position[c].assign(packed.nodes, 0.0);
     state.velocity[c].assign(packed.nodes, 0.0);
     state.force[c].assign(packed.nodes, 0.0);
-    for (int n = 0; n < mesh.node_count(); ++n)
-      state.position[c][packed.packed_of_mesh[n]] = mesh.nodes.position[n][c];
+    for (int n = 0; n < mesh.node_count(); ++n) state.position[c][packed.packed_of_mesh[n]] = mesh.nodes.position[n][c];
   }
   return state;
 }

@@ -43,7 +43,7 @@ Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::
       packed_(pack_mesh(mesh)),
       state_(initial_state(packed_, mesh)),
       grips_(make_grips(scene, mesh, packed_)),
-      forces_(packed_, card, yarn_laws_, scene.model, threads_),
+      forces_(packed_, card, yarn_laws_, scene.model, state_, threads_),
       critical_step_(mesh, card, yarn_laws_, scene.model, held_nodes(grips_, mesh, packed_)),
       internal_energy_(mesh, card, yarn_laws_, scene.model),
       loading_(choose_loading(scene, card)),
@@ -66,12 +66,15 @@ SolveResult Analysis::run() {
     resume();
   else
     perturb();
-  if (!directory_.empty()) frames_ = std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0);
+  if (!directory_.empty())
+    frames_ = std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0);
+  if (!options_.resume) renew_step();
   forces_.compute(state_);
-  if (!options_.resume) balance_.start = balance_.internal = internal_energy_(mesh_positions(packed_, state_));
+  if (!options_.resume)
+    balance_.start = balance_.internal = internal_energy_(mesh_positions(packed_, state_), forces_.cell_work());
   for (;;) {
-    if (state_.step % check_interval == 0 || step_ == 0.0) {
-      renew_step();
+    if (state_.step % check_interval == 0) {
+      if (state_.step > 0) renew_step();  // a checkpoint is left before, never after, this look
       check_state();
       report_progress();
     }
@@ -89,25 +92,33 @@ SolveResult Analysis::run() {
 }
 
 void Analysis::renew_step() {
-  const double previous = step_;
   stable_ = critical_step_(mesh_positions(packed_, state_));
+  // viscosity of fraction xi at the highest frequency 2/step shortens the stable step to (sqrt(1 + xi^2) - xi) of it
+  const double xi = scene_.analysis.yarn_viscosity;
+  set_viscous_time(xi * stable_.step);
+  stable_.step *= std::sqrt(1.0 + xi * xi) - xi;
   step_ = scene_.analysis.step_factor * stable_.step;
-  if (previous == 0.0) step_before_ = 0.0;
   if (smallest_step_ == 0.0 || step_ < smallest_step_) {
     smallest_step_ = step_;
     step_set_by_ = stable_.set_by;
   }
   if (scene_.analysis.step_check && scene_.analysis.step_factor > 1.0)
-    fail(fmt::format("step {:.4g} s is above the stable step {:.4g} s set by the {}; set analysis.step_factor to 1 or less "
-                     "(now {}), or analysis.step_check = false to see what happens",
-                     step_, stable_.step, stable_.set_by, scene_.analysis.step_factor));
+    fail(fmt::format(
+        "step {:.4g} s is above the stable step {:.4g} s set by the {}; set analysis.step_factor to 1 or less "
+        "(now {}), or analysis.step_check = false to see what happens",
+        step_, stable_.step, stable_.set_by, scene_.analysis.step_factor));
+}
+
+void Analysis::set_viscous_time(double beta) {
+  viscous_time_ = beta;
+  const auto& stiffest = critical_step_.stiffest();
+  forces_.set_viscosity({beta * stiffest[0], beta * stiffest[1]});
 }
 
 void Analysis::open_outputs() {
   const double time = state_.time;
   const bool row_due = row_schedule_.due(time), frame_due = frame_schedule_.due(time);
-  for (std::size_t g = 0; g < grips_.size(); ++g)
-    displacement_[g] = grips_[g].travel * smooth_step(time / duration_);
+  for (std::size_t g = 0; g < grips_.size(); ++g) displacement_[g] = grips_[g].travel * smooth_step(time / duration_);
   if (!row_due && !frame_due) return;
   fields_ = compute_fields(mesh_, card_, scene_.model, time, mesh_positions(packed_, state_));
   if (frame_due) {
@@ -115,7 +126,7 @@ void Analysis::open_outputs() {
     frame_schedule_.advance(time);
   }
   if (row_due) {
-    balance_.internal = internal_energy_(fields_.position);
+    balance_.internal = internal_energy_(fields_.position, forces_.cell_work());
     folded_ = std::max(folded_, static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true)));
     row_schedule_.advance(time);
     row_open_ = true;
@@ -133,11 +144,12 @@ void Analysis::move(bool last) {
 
   for (std::size_t g = 0; g < grips_.size(); ++g) {
     grip_force_[g] = along(outcome.grip_force[g], grips_[g].direction);
-    balance_.external += 0.5 * (grip_force_before_[g] + grip_force_[g]) * (displacement_[g] - grip_displacement_before_[g]);
+    balance_.external +=
+        0.5 * (grip_force_before_[g] + grip_force_[g]) * (displacement_[g] - grip_displacement_before_[g]);
     grip_displacement_before_[g] = displacement_[g];
     grip_force_before_[g] = grip_force_[g];
   }
-  const double damping_power = 2.0 * loading_.damping * outcome.kinetic;
+  const double damping_power = 2.0 * loading_.damping * outcome.kinetic + forces_.viscous_power();
   balance_.damping += 0.5 * (damping_power_before_ + damping_power) * step_before_;
   damping_power_before_ = damping_power;
   balance_.kinetic = outcome.kinetic;
@@ -158,10 +170,11 @@ void Analysis::close_row() {
     worst_error_ = std::max(worst_error_, error);
     if (balance_.internal > 0.0) worst_ratio_ = std::max(worst_ratio_, balance_.kinetic / balance_.internal);
     if (!(error <= scene_.analysis.energy_limit))
-      fail(fmt::format("the energy balance is off by {:.3g} % of the greatest energy (limit {:.3g} %): internal {:.4g}, kinetic "
-                       "{:.4g}, damping {:.4g}, external {:.4g} mJ; lower analysis.step_factor (now {})",
-                       100.0 * error, 100.0 * scene_.analysis.energy_limit, balance_.internal, balance_.kinetic,
-                       balance_.damping, balance_.external, scene_.analysis.step_factor));
+      fail(fmt::format(
+          "the energy balance is off by {:.3g} % of the greatest energy (limit {:.3g} %): internal {:.4g}, kinetic "
+          "{:.4g}, damping {:.4g}, external {:.4g} mJ; lower analysis.step_factor (now {})",
+          100.0 * error, 100.0 * scene_.analysis.energy_limit, balance_.internal, balance_.kinetic, balance_.damping,
+          balance_.external, scene_.analysis.step_factor));
   }
 }
 
@@ -183,10 +196,11 @@ void Analysis::check_state() {
     const double strain = std::log((std::sqrt(square) + mesh_.yarns.jaw[e]) / rest);
     // a perturbed start may stretch yarns by its own size
     if (strain > torn_strain + std::log1p(2.0 * std::numbers::sqrt2 * scene_.analysis.perturbation / rest))
-      fail(fmt::format("{} yarn element {} (nodes {}, {}) is stretched to a true strain of {:.3g}: the analysis is unstable "
-                       "(lower analysis.step_factor, now {}) or the scene tears the fabric",
-                       mesh_.yarns.family[e] == Family::warp ? "warp" : "weft", e, mesh_.yarns.node[e][0],
-                       mesh_.yarns.node[e][1], strain, scene_.analysis.step_factor));
+      fail(fmt::format(
+          "{} yarn element {} (nodes {}, {}) is stretched to a true strain of {:.3g}: the analysis is unstable "
+          "(lower analysis.step_factor, now {}) or the scene tears the fabric",
+          mesh_.yarns.family[e] == Family::warp ? "warp" : "weft", e, mesh_.yarns.node[e][0], mesh_.yarns.node[e][1],
+          strain, scene_.analysis.step_factor));
   }
 }
 
@@ -196,8 +210,8 @@ void Analysis::perturb() {
   std::vector<char> gripped(packed_.nodes, 0);
   for (const auto& grip : grips_)
     for (const int n : grip.node) gripped[n] = 1;
-  // in the plane of the blank, evenly spread over [-size, size] in both directions; the generator's own bits, so that every
-  // standard library gives the same start
+  // in the plane of the blank, evenly spread over [-size, size] in both directions; the generator's own bits, so that
+  // every standard library gives the same start
   std::mt19937_64 generator(static_cast<std::uint64_t>(scene_.analysis.perturbation_seed));
   const auto draw = [&] { return size * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0); };
   for (const int n : packed_.packed_of_mesh) {
@@ -209,36 +223,40 @@ void Analysis::perturb() {
 }
 
 std::string Analysis::identity() const {
-  return fmt::format("{} nodes, {} yarns, {} cells, {} {} {}, duration {:.17g}, damping {:.17g}, factor {:.17g}, rows {}, frames {}",
-                     mesh_.node_count(), mesh_.yarn_count(), mesh_.cells.size(), card_.name, scene_.model.formulation,
-                     scene_.model.thickness, duration_, loading_.damping, scene_.analysis.step_factor, scene_.output.history,
-                     scene_.output.frames);
+  return fmt::format(
+      "{} nodes, {} yarns, {} cells, {} {} {}, duration {:.17g}, damping {:.17g}, factor {:.17g}, rows {}, frames {}",
+      mesh_.node_count(), mesh_.yarn_count(), mesh_.cells.size(), card_.name, scene_.model.formulation,
+      scene_.model.thickness, duration_, loading_.damping, scene_.analysis.step_factor, scene_.output.history,
+      scene_.output.frames);
 }
 
 void Analysis::leave_checkpoint() {
   if (directory_.empty()) throw Interrupted("interrupted");
-  const Checkpoint checkpoint{.state = state_,
-                              .step_before = step_before_,
-                              .step = step_,
-                              .smallest_step = smallest_step_,
-                              .power_before = damping_power_before_,
-                              .force_before = grip_force_before_,
-                              .displacement_before = grip_displacement_before_,
-                              .wall_s = wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
-                              .next_row = row_schedule_.index(),
-                              .next_frame = frame_schedule_.index(),
-                              .balance = balance_,
-                              .worst_error = worst_error_,
-                              .worst_ratio = worst_ratio_,
-                              .folded = folded_,
-                              .path = internal_energy_.path(),
-                              .history = recorder_.history(),
-                              .window = recorder_.window()};
+  const Checkpoint checkpoint{
+      .state = state_,
+      .step_before = step_before_,
+      .step = step_,
+      .smallest_step = smallest_step_,
+      .viscous_time = viscous_time_,
+      .power_before = damping_power_before_,
+      .force_before = grip_force_before_,
+      .displacement_before = grip_displacement_before_,
+      .wall_s = wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
+      .next_row = row_schedule_.index(),
+      .next_frame = frame_schedule_.index(),
+      .balance = balance_,
+      .worst_error = worst_error_,
+      .worst_ratio = worst_ratio_,
+      .folded = folded_,
+      .path = internal_energy_.path(),
+      .cell_history = forces_.history(),
+      .history = recorder_.history(),
+      .window = recorder_.window()};
   const auto file = directory_ / "checkpoint.bin";
   write_checkpoint(checkpoint, identity(), file);
   write_history(recorder_.history(), directory_ / "history.csv");
-  throw Interrupted(fmt::format("stopped at t = {:.4g} s of {:.4g} s, step {}; go on with --resume ({})", state_.time, duration_,
-                                state_.step, file.string()));
+  throw Interrupted(fmt::format("stopped at t = {:.4g} s of {:.4g} s, step {}; go on with --resume ({})", state_.time,
+                                duration_, state_.step, file.string()));
 }
 
 void Analysis::resume() {
@@ -247,6 +265,7 @@ void Analysis::resume() {
   step_before_ = checkpoint.step_before;
   step_ = checkpoint.step;
   smallest_step_ = checkpoint.smallest_step;
+  set_viscous_time(checkpoint.viscous_time);
   damping_power_before_ = checkpoint.power_before;
   grip_force_before_ = std::move(checkpoint.force_before);
   grip_displacement_before_ = std::move(checkpoint.displacement_before);
@@ -258,6 +277,7 @@ void Analysis::resume() {
   worst_ratio_ = checkpoint.worst_ratio;
   folded_ = checkpoint.folded;
   internal_energy_.set_path(std::move(checkpoint.path));
+  forces_.set_history(checkpoint.cell_history);
   recorder_.restore(std::move(checkpoint.history), std::move(checkpoint.window));
 }
 
@@ -266,8 +286,9 @@ void Analysis::report_progress() {
   if (!progress_.due(fraction)) return;
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const double rate = wall > 0.0 ? static_cast<double>(state_.step) * mesh_.cells.size() / wall : 0.0;
-  progress_.update(fraction, fmt::format("step {}  {:.1f} M cell-steps/s  kinetic/internal {:.2g}", state_.step, 1e-6 * rate,
-                                         balance_.internal > 0.0 ? balance_.kinetic / balance_.internal : 0.0));
+  progress_.update(fraction,
+                   fmt::format("step {}  {:.1f} M cell-steps/s  kinetic/internal {:.2g}", state_.step, 1e-6 * rate,
+                               balance_.internal > 0.0 ? balance_.kinetic / balance_.internal : 0.0));
 }
 
 void Analysis::fail(const std::string& what) const {

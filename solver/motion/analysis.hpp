@@ -21,12 +21,14 @@ namespace weaveform {
 
 class Analysis {
 public:
-  Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory, const SolveOptions& options);
+  Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory,
+           const SolveOptions& options);
   SolveResult run();
 
 private:
   // The loop, in the order of the theory: step length, outputs due, motion, forces.
   void renew_step();
+  void set_viscous_time(double beta);
   void open_outputs();
   void close_row();
   void move(bool last);
@@ -66,9 +68,10 @@ private:
   EnergyBalance balance_;
   StableStep stable_;
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
+  double viscous_time_ = 0.0;                                    // s; beta of yarn.hpp
   std::string step_set_by_;
   bool row_open_ = false;
-  Fields fields_;  // of the open row or frame
+  Fields fields_;                                         // of the open row or frame
   std::vector<double> displacement_, displacement_next_;  // mm; per grip
   std::vector<double> grip_force_, grip_force_before_;    // N; per grip, along its direction
   std::vector<double> grip_displacement_before_;          // mm; at the step before

@@ -84,15 +84,17 @@ void transfer(Archive& archive, C& c) {
   }
   archive(c.state.time);
   archive(c.state.step);
-  for (auto* value : {&c.step_before, &c.step, &c.smallest_step, &c.power_before, &c.wall_s, &c.balance.internal,
-                      &c.balance.kinetic, &c.balance.damping, &c.balance.external, &c.balance.start, &c.balance.greatest,
-                      &c.worst_error, &c.worst_ratio, &c.path.work, &c.window.elapsed})
+  for (auto* value :
+       {&c.step_before, &c.step, &c.smallest_step, &c.viscous_time, &c.power_before, &c.wall_s, &c.balance.internal,
+        &c.balance.kinetic, &c.balance.damping, &c.balance.external, &c.balance.start, &c.balance.greatest,
+        &c.worst_error, &c.worst_ratio, &c.path.work, &c.window.elapsed})
     archive(*value);
   for (auto* value : {&c.next_row, &c.next_frame, &c.folded, &c.window.row}) archive(*value);
   archive(c.force_before);
   archive(c.displacement_before);
   archive(c.path.stress);
   archive(c.path.log_stretch);
+  archive(c.cell_history);
   archive(c.history.column);
   archive(c.history.row);
   archive(c.window.impulse);
@@ -108,7 +110,8 @@ void write_checkpoint(const Checkpoint& checkpoint, const std::string& identity,
     writer(identity);
     transfer(writer, checkpoint);
     stream.close();
-    if (!stream) throw FileError(file.string() + ": cannot write the checkpoint; free disk space or choose another folder");
+    if (!stream)
+      throw FileError(file.string() + ": cannot write the checkpoint; free disk space or choose another folder");
   });
 }
 

@@ -11,12 +11,13 @@
 namespace weaveform {
 
 struct Checkpoint {
-  State state;                     // position, velocity, time, step (forces are computed again)
-  double step_before = 0.0;        // s; length of the step just taken
-  double step = 0.0;               // s; length of the next one
-  double smallest_step = 0.0;      // s
-  double power_before = 0.0;       // mJ/s; damping power at the last step
-  std::vector<double> force_before;  // N; grips' forces at the last step
+  State state;                              // position, velocity, time, step (forces are computed again)
+  double step_before = 0.0;                 // s; length of the step just taken
+  double step = 0.0;                        // s; length of the next one
+  double smallest_step = 0.0;               // s
+  double viscous_time = 0.0;                // s; beta of yarn.hpp
+  double power_before = 0.0;                // mJ/s; damping power at the last step
+  std::vector<double> force_before;         // N; grips' forces at the last step
   std::vector<double> displacement_before;  // mm; grips' displacement at the last step
   double wall_s = 0.0;
   int next_row = 0, next_frame = 0;
@@ -24,6 +25,7 @@ struct Checkpoint {
   double worst_error = 0.0, worst_ratio = 0.0;
   int folded = 0;
   InternalEnergy::Path path;
+  std::vector<double> cell_history;  // of formulations that have one
   History history;
   Recorder::Window window;
 };

@@ -10,7 +10,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Vector3d vector(const Vec3& a) { return {a[0], a[1], a[2]}; }
+Vector3d vector(const Vec3& a) {
+  return {a[0], a[1], a[2]};
+}
 
 double greatest_eigenvalue(const Matrix3d& matrix) {
   Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
@@ -23,12 +25,12 @@ double greatest_eigenvalue(const Matrix3d& matrix) {
 CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
                            const ModelSpec& model, std::vector<char> held)
     : mesh_(mesh), shear_(card.shear), yarn_stiffness_(mesh.yarn_count()), held_(std::move(held)) {
-  std::array<double, 2> stiffest{};
   for (int f = 0; f < 2; ++f)
     // up to 50 % strain: far beyond what a yarn bears; the run stops there (see the checks of the time loop)
-    stiffest[f] = std::max(yarn_laws[f].stiffest(0.0, 0.5), card.yarn[f].compression_modulus * model.yarn_stiffness_scale);
+    stiffest_[f] =
+        std::max(yarn_laws[f].stiffest(0.0, 0.5), card.yarn[f].compression_modulus * model.yarn_stiffness_scale);
   for (int e = 0; e < mesh.yarn_count(); ++e)
-    yarn_stiffness_[e] = stiffest[mesh.yarns.family[e] == Family::warp ? 0 : 1] * mesh.yarns.section[e] *
+    yarn_stiffness_[e] = stiffest_[mesh.yarns.family[e] == Family::warp ? 0 : 1] * mesh.yarns.section[e] *
                          mesh.yarns.softening[e] / (mesh.yarns.rest_length[e] + mesh.yarns.jaw[e]);
 }
 
@@ -55,8 +57,9 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position) const {
     const double log_strain = std::atanh(s);
     // w(s): dw/ds = sigma, d2w/ds2 = C_sh / (1 - s^2); |ds/dx_a| <= cos(gamma) r_a, |d2s/dx_a dx_b| <= 3 r_a r_b,
     // with r_a = |c1_a|/|g1| + |c2_a|/|g2|
-    const double factor = mesh_.cells.area[c] * mesh_.thickness *
-                          (std::abs(shear_tangent(shear_, log_strain)) + 3.0 * std::abs(shear_stress(shear_, log_strain)));
+    const double factor =
+        mesh_.cells.area[c] * mesh_.thickness *
+        (std::abs(shear_tangent(shear_, log_strain)) + 3.0 * std::abs(shear_stress(shear_, log_strain)));
     double sum = 0.0;
     for (int a = begin; a < end; ++a)
       sum += std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2;

@@ -2,9 +2,11 @@
 // current tangents, a larger step, made a forming run gain energy and tear itself apart; design section 4.)
 //
 // Central difference is stable for step <= 2 / sqrt(lambda), lambda the greatest eigenvalue of M^-1 K. For yarns
-//   u.K u = sum_e k_e (n_e.(u_a - u_b))^2 <= sum_e 2 k_e ((n_e.u_a)^2 + (n_e.u_b)^2)     (factor 1 where one end is held)
-// so that lambda <= max_i 2 eigmax(B_i) / m_i with B_i = sum of k n n^T over the yarns at node i: a bound at every shear
-// angle, tight (4 K (1 + sin gamma)/m) on a regular lattice. Cells add their row sums (Gershgorin), tension its N/L.
+//   u.K u = sum_e k_e (n_e.(u_a - u_b))^2 <= sum_e 2 k_e ((n_e.u_a)^2 + (n_e.u_b)^2)     (factor 1 where one end is
+//   held)
+// so that lambda <= max_i 2 eigmax(B_i) / m_i with B_i = sum of k n n^T over the yarns at node i: a bound at every
+// shear angle, tight (4 K (1 + sin gamma)/m) on a regular lattice. Cells add their row sums (Gershgorin), tension its
+// N/L.
 #pragma once
 
 #include <string>
@@ -27,11 +29,14 @@ public:
   // `held`: per mesh node, true where every component is prescribed.
   CriticalStep(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws, const ModelSpec& model,
                std::vector<char> held);
+  // MPa; the stiffest tangent of each family's yarns
+  [[nodiscard]] const std::array<double, 2>& stiffest() const { return stiffest_; }
   [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position) const;
 
 private:
   const Mesh& mesh_;
   ShearCard shear_;
+  std::array<double, 2> stiffest_{};
   std::vector<double> yarn_stiffness_;  // N/mm; greatest dN/dL
   std::vector<char> held_;
 };

@@ -7,12 +7,14 @@
 namespace weaveform {
 namespace {
 
-constexpr double table_end = 4.0;       // log shear strain; 87.9 deg
+constexpr double table_end = 4.0;         // log shear strain; 87.9 deg
 constexpr double table_step = 1.0 / 512;  // Hermite error of order step^4/384 * w'''' : below 1e-12 of w
 
 // Four-point Gauss rule on [-1, 1] (Abramowitz & Stegun 1964, table 25.4).
-constexpr std::array<double, 4> gauss_point = {-0.861136311594053, -0.339981043584856, 0.339981043584856, 0.861136311594053};
-constexpr std::array<double, 4> gauss_weight = {0.347854845137454, 0.652145154862546, 0.652145154862546, 0.347854845137454};
+constexpr std::array<double, 4> gauss_point = {-0.861136311594053, -0.339981043584856, 0.339981043584856,
+                                               0.861136311594053};
+constexpr std::array<double, 4> gauss_weight = {0.347854845137454, 0.652145154862546, 0.652145154862546,
+                                                0.347854845137454};
 
 template <class Function>
 double integrate(double from, double to, int intervals, const Function& function) {
@@ -38,7 +40,8 @@ ShearPotential::ShearPotential(const ShearCard& card, bool constant_thickness)
   const int count = static_cast<int>(table_end / table_step) + 1;
   value_.assign(count, 0.0);
   for (int n = 1; n < count; ++n)
-    value_[n] = value_[n - 1] + integrate((n - 1) * table_step, n * table_step, 1, [this](double g) { return slope(g); });
+    value_[n] =
+        value_[n - 1] + integrate((n - 1) * table_step, n * table_step, 1, [this](double g) { return slope(g); });
 }
 
 double ShearPotential::slope(double log_strain) const {
@@ -60,9 +63,13 @@ double ShearPotential::operator()(double sin_gamma) const {
 
 InternalEnergy::InternalEnergy(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
                                const ModelSpec& model)
-    : mesh_(mesh), card_(card), yarn_laws_(yarn_laws), model_(model), potential_(card.shear, model.thickness == "constant") {}
+    : mesh_(mesh),
+      card_(card),
+      yarn_laws_(yarn_laws),
+      model_(model),
+      potential_(card.shear, model.thickness == "constant") {}
 
-double InternalEnergy::operator()(const std::vector<Vec3>& position) {
+double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell_work) {
   double energy = 0.0;
   const bool constant_section = model_.section == "constant";
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
@@ -75,6 +82,7 @@ double InternalEnergy::operator()(const std::vector<Vec3>& position) {
               yarn_energy(yarn_laws_[f], card_.yarn[f].compression_modulus * model_.yarn_stiffness_scale,
                           std::log((length + jaw) / rest), constant_section);
   }
+  if (model_.formulation == "incremental" || model_.formulation == "side-frame") return energy + cell_work;
   const bool path_needed = model_.formulation == "contravariant";
   const bool first_call = path_.stress.empty();
   if (path_needed && first_call) {

@@ -9,7 +9,9 @@
 namespace weaveform {
 namespace {
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Vec3& a, const Vec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 Vec3 turned(const Vec3& a, double degrees) {
   const double angle = degrees * std::numbers::pi / 180.0;
@@ -39,9 +41,11 @@ double smooth_step(double x) {
 std::vector<Grip> make_grips(const Scene& scene, const Mesh& mesh, const PackedMesh& packed) {
   std::vector<Grip> grips;
   for (const auto& spec : scene.grip) {
-    const auto set = std::find_if(mesh.sets.begin(), mesh.sets.end(), [&](const NodeSet& s) { return s.name == spec.name; });
+    const auto set =
+        std::find_if(mesh.sets.begin(), mesh.sets.end(), [&](const NodeSet& s) { return s.name == spec.name; });
     if (set == mesh.sets.end())
-      throw InputError("grip '" + spec.name + "': the mesh has no node set of that name; make the mesh again from this scene");
+      throw InputError("grip '" + spec.name +
+                       "': the mesh has no node set of that name; make the mesh again from this scene");
     Grip grip;
     grip.name = spec.name;
     grip.travel = spec.travel;
@@ -77,8 +81,8 @@ void remember_velocities(Grip& grip, const State& state) {
     for (int c = 0; c < 3; ++c) grip.velocity_before[k][c] = state.velocity[c][grip.node[k]];
 }
 
-Vec3 apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick, double drift,
-                double& sum_change) {
+Vec3 apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick,
+                double drift, double& sum_change) {
   Vec3 reaction = {0.0, 0.0, 0.0};
   for (std::size_t k = 0; k < grip.node.size(); ++k) {
     const int n = grip.node[k];

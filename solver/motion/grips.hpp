@@ -13,23 +13,24 @@
 
 namespace weaveform {
 
-// Smooth step 10 x^3 - 15 x^4 + 6 x^5 on [0, 1]: rest, no jump of speed or acceleration at either end; greatest slope 15/8.
+// Smooth step 10 x^3 - 15 x^4 + 6 x^5 on [0, 1]: rest, no jump of speed or acceleration at either end; greatest slope
+// 15/8.
 [[nodiscard]] double smooth_step(double x);
 inline constexpr double smooth_step_greatest_slope = 1.875;
 
 struct Grip {
   std::string name;
-  std::vector<int> node;        // packed
-  std::vector<Vec3> start;      // mm; initial position of each node
-  Vec3 direction = {0, 1, 0};   // world; unit
-  std::vector<Vec3> held;       // world; unit vectors of the prescribed components
-  double travel = 0.0;          // mm
+  std::vector<int> node;              // packed
+  std::vector<Vec3> start;            // mm; initial position of each node
+  Vec3 direction = {0, 1, 0};         // world; unit
+  std::vector<Vec3> held;             // world; unit vectors of the prescribed components
+  double travel = 0.0;                // mm
   std::vector<Vec3> velocity_before;  // mm/s; of each node before the step at hand
   [[nodiscard]] bool holds_all() const { return held.size() == 3; }
 };
 
-// Grips of the scene on the mesh's node sets; directions turned into the world by the blank's orientation. Throws InputError
-// when a grip's set is missing from the mesh.
+// Grips of the scene on the mesh's node sets; directions turned into the world by the blank's orientation. Throws
+// InputError when a grip's set is missing from the mesh.
 [[nodiscard]] std::vector<Grip> make_grips(const Scene& scene, const Mesh& mesh, const PackedMesh& packed);
 
 // Mesh nodes whose every component some grip prescribes.
@@ -37,11 +38,11 @@ struct Grip {
 
 void remember_velocities(Grip& grip, const State& state);
 
-// Puts a grip's nodes where they belong at the end of a step, all nodes having been advanced freely. `from` and `to` are the
-// grip's displacement at both ends of the step (mm), `kick` and `drift` those of advance() (s). Returns the force of the grip
-// on the fabric (N), R = m (v - v_free) / kick, which includes the inertia of its own nodes; adds to `sum_change` what the
-// prescribed velocities change in the sum of m v0^2.
-Vec3 apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick, double drift,
-                double& sum_change);
+// Puts a grip's nodes where they belong at the end of a step, all nodes having been advanced freely. `from` and `to`
+// are the grip's displacement at both ends of the step (mm), `kick` and `drift` those of advance() (s). Returns the
+// force of the grip on the fabric (N), R = m (v - v_free) / kick, which includes the inertia of its own nodes; adds to
+// `sum_change` what the prescribed velocities change in the sum of m v0^2.
+Vec3 apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick,
+                double drift, double& sum_change);
 
 }  // namespace weaveform

@@ -5,7 +5,9 @@ namespace {
 
 volatile std::sig_atomic_t interrupt_requested = 0;
 
-void request_interrupt(int /*signal*/) { interrupt_requested = 1; }
+void request_interrupt(int /*signal*/) {
+  interrupt_requested = 1;
+}
 
 }  // namespace
 
@@ -22,6 +24,8 @@ InterruptWatch::~InterruptWatch() {
   sigaction(SIGTERM, &previous_term_, nullptr);
 }
 
-bool InterruptWatch::requested() { return interrupt_requested != 0; }
+bool InterruptWatch::requested() {
+  return interrupt_requested != 0;
+}
 
 }  // namespace weaveform

@@ -1,8 +1,8 @@
 // How fast to load and how much to damp, when the scene leaves it to us.
 //
-// The loads of a fabric specimen are a few newtons, so inertia and damping forces of an explicit run show in them long before
-// they show in the energies. Both scale with how often the fabric's slowest wave, in-plane shear at the least tangent of
-// the card, crosses the blank during the run:
+// The loads of a fabric specimen are a few newtons, so inertia and damping forces of an explicit run show in them long
+// before they show in the energies. Both scale with how often the fabric's slowest wave, in-plane shear at the least
+// tangent of the card, crosses the blank during the run:
 //   tau = L / sqrt(C_min t / (area density)),    duration = crossings * tau,    damping = decays / duration.
 // The two constants were chosen from measured load errors (docs/theory.md, "Loading speed and damping").
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace weaveform {
 
-inline constexpr double default_crossings = 12.0;
+inline constexpr double default_crossings = 16.0;
 inline constexpr double default_decays = 12.0;
 
 struct Loading {

@@ -5,7 +5,11 @@
 namespace weaveform {
 
 Motion::Motion(const PackedMesh& packed, double damping, int threads)
-    : packed_(packed), damping_(damping), threads_(threads), inverse_mass_(packed.nodes, 0.0), mass_(packed.nodes, 0.0) {
+    : packed_(packed),
+      damping_(damping),
+      threads_(threads),
+      inverse_mass_(packed.nodes, 0.0),
+      mass_(packed.nodes, 0.0) {
   for (const int n : packed.packed_of_mesh) {
     mass_[n] = packed.mass[n];
     inverse_mass_[n] = 1.0 / packed.mass[n];
@@ -19,7 +23,7 @@ Motion::Motion(const PackedMesh& packed, double damping, int threads)
 }
 
 const Motion::Outcome& Motion::advance(State& state, std::vector<Grip>& grips, const std::vector<double>& from,
-                                const std::vector<double>& to, double step_before, double step) {
+                                       const std::vector<double>& to, double step_before, double step) {
   const double kick_time = 0.5 * (step_before + step);
   const double half = 0.5 * damping_ * kick_time;
   const double keep = (1.0 - half) / (1.0 + half), kick = kick_time / (1.0 + half);

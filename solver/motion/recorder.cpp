@@ -12,7 +12,8 @@ Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, do
   for (const auto& probe : probes_)
     for (const char* what : {".shear_angle_deg", ".shear_angle_sd_deg", ".shear_angle_min_deg", ".shear_angle_max_deg"})
       history_.column.push_back(probe.name + what);
-  for (const char* what : {"kinetic_energy_mJ", "internal_energy_mJ", "external_work_mJ", "damping_work_mJ", "energy_error"})
+  for (const char* what :
+       {"kinetic_energy_mJ", "internal_energy_mJ", "external_work_mJ", "damping_work_mJ", "energy_error"})
     history_.column.emplace_back(what);
   window_.impulse.assign(grip_count_, 0.0);
 }
@@ -48,7 +49,9 @@ void Recorder::add_row(double time, const std::vector<double>& displacement, con
   history_.row.push_back(std::move(row));
 }
 
-void Recorder::finish() { close_window(); }
+void Recorder::finish() {
+  close_window();
+}
 
 void Recorder::restore(History history, Window window) {
   history_ = std::move(history);

@@ -1,5 +1,6 @@
-// Fills the history while the analysis runs. Grip forces of an explicit run carry the yarns' vibrations, so a row's force is
-// the mean over the time from half a row before to half a row after it (the impulse over the time), not an instant's value.
+// Fills the history while the analysis runs. Grip forces of an explicit run carry the yarns' vibrations, so a row's
+// force is the mean over the time from half a row before to half a row after it (the impulse over the time), not an
+// instant's value.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,8 @@ public:
   // Adds the grips' forces (N, along their directions) over `kick` seconds around `time`.
   void add_forces(double time, double kick, const std::vector<double>& force);
   // Appends the row of `time`; its forces are filled in when their window closes.
-  void add_row(double time, const std::vector<double>& displacement, const Fields& fields, const EnergyBalance& balance);
+  void add_row(double time, const std::vector<double>& displacement, const Fields& fields,
+               const EnergyBalance& balance);
   // Closes the last window.
   void finish();
 
@@ -26,9 +28,9 @@ public:
 
   // What a checkpoint must keep.
   struct Window {
-    double elapsed = 0.0;          // s
-    std::vector<double> impulse;   // N s
-    int row = 0;                   // the row this window belongs to
+    double elapsed = 0.0;         // s
+    std::vector<double> impulse;  // N s
+    int row = 0;                  // the row this window belongs to
   };
   [[nodiscard]] const Window& window() const { return window_; }
   void restore(History history, Window window);

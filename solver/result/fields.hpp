@@ -13,14 +13,14 @@ namespace weaveform {
 using Vec3 = std::array<double, 3>;
 
 struct Fields {
-  double time = 0.0;                  // s
-  std::vector<Vec3> position;         // mm; per node
-  std::vector<Vec3> displacement;     // mm; per node, from the mesh's initial position
-  std::vector<double> shear_angle;    // rad; per cell, signed: sin gamma = g1.g2 of the unit yarn directions at the centre
-  std::vector<Vec3> warp, weft;       // unit yarn directions; per cell
-  std::vector<bool> folded;           // per cell: area vector turned against the cell's neighbours' (see folded_cells)
-  std::vector<double> yarn_strain;    // 1; true strain per yarn element
-  std::vector<double> yarn_force;     // N; axial, tension positive
+  double time = 0.0;                // s
+  std::vector<Vec3> position;       // mm; per node
+  std::vector<Vec3> displacement;   // mm; per node, from the mesh's initial position
+  std::vector<double> shear_angle;  // rad; per cell, signed: sin gamma = g1.g2 of the unit yarn directions
+  std::vector<Vec3> warp, weft;     // unit yarn directions; per cell
+  std::vector<bool> folded;         // per cell: area vector turned against the cell's neighbours' (see folded_cells)
+  std::vector<double> yarn_strain;  // 1; true strain per yarn element
+  std::vector<double> yarn_force;   // N; axial, tension positive
 };
 
 // The yarn laws actually used: the card's, or linear ones, scaled (model.yarn_law, model.yarn_stiffness_scale).
@@ -29,8 +29,8 @@ struct Fields {
 [[nodiscard]] Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,
                                     const std::vector<Vec3>& position);
 
-// A cell is folded (inverted) when its oriented area g1 x g2 points against the mean oriented area of the whole patch of
-// cells around it (cells sharing a node), or, on a planar blank, against the blank's own normal.
+// A cell is folded (inverted) when its oriented area g1 x g2 points against the mean oriented area of the whole patch
+// of cells around it (cells sharing a node), or, on a planar blank, against the blank's own normal.
 [[nodiscard]] std::vector<bool> folded_cells(const Mesh& mesh, const std::vector<Vec3>& position);
 
 }  // namespace weaveform

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@
 namespace weaveform {
 
 // Columns in order, first "time_s"; then NAME.displacement_mm and NAME.force_N per grip (and tool),
-// NAME.shear_angle_deg, NAME.shear_angle_sd_deg, NAME.shear_angle_min_deg, NAME.shear_angle_max_deg per measure, then energies
-// kinetic_energy_mJ, internal_energy_mJ, external_work_mJ, damping_work_mJ, energy_error.
+// NAME.shear_angle_deg, NAME.shear_angle_sd_deg, NAME.shear_angle_min_deg, NAME.shear_angle_max_deg per measure, then
+// energies kinetic_energy_mJ, internal_energy_mJ, external_work_mJ, damping_work_mJ, energy_error.
 struct History {
   std::vector<std::string> column;
   std::vector<std::vector<double>> row;
@@ -26,7 +27,7 @@ struct SolveStatistics {
   int cells = 0, nodes = 0, yarns = 0;
   long steps = 0;
   double duration_s = 0.0;
-  double wall_s = 0.0;               // of the time loop
+  double wall_s = 0.0;  // of the time loop
   double cell_steps_per_s = 0.0;
   double step_s = 0.0;               // smallest step taken
   std::string step_set_by;           // which part set the step, e.g. "yarn (warp, node 123)"
@@ -36,23 +37,41 @@ struct SolveStatistics {
   double damping_work_mJ = 0.0;
   double max_shear_angle_deg = 0.0;  // greatest |shear angle| in the last frame
   double max_yarn_strain = 0.0;
-  int folded_cells = 0;              // greatest number at any history row
+  int folded_cells = 0;  // greatest number at any history row
   int folded_cells_at_end = 0;
-  int cells_beyond_card = 0;         // cells sheared past the range of the card's shear law in the last frame
+  int cells_beyond_card = 0;  // cells sheared past the range of the card's shear law in the last frame
   int threads = 1;
 };
 
-// Writes frames as they come and the .pvd index on close; an interrupted run leaves a readable index.
+// Writes frames as they come; result.pvd is renewed after each, so an interrupted run leaves a readable index.
+// A frame is one grid of all yarn elements (lines) and then all cells (polygons), each in the mesh's order, at the
+// current positions. So that every array holds a number on every element, and a viewer may average cells to points:
+//   family            0 cell, 1 warp, 2 weft
+//   shear_angle_deg   cells: signed; lines: mean of the cells beside it
+//   yarn_strain, yarn_force_N     lines: their own; cells: mean of the yarn elements around it
+//   warp_direction, weft_direction  cells: unit yarn directions; lines: their own in their family's array, else 0
+//   folded            cells: 1 when folded; lines: 0
+// Points carry displacement_mm, the field data TimeValue (s).
 class FrameWriter {
 public:
-  FrameWriter(std::filesystem::path directory, const Mesh& mesh);
+  // Keeps a reference to the mesh. Frames of an earlier run in `directory` are removed, but for the first
+  // `frames_kept`, which a resumed run goes on from. Throws FileError when fewer than that are there.
+  FrameWriter(std::filesystem::path directory, const Mesh& mesh, int frames_kept = 0);
+  ~FrameWriter();
+  FrameWriter(const FrameWriter&) = delete;
+  FrameWriter& operator=(const FrameWriter&) = delete;
+
   void write(const Fields& fields);  // throws FileError
   [[nodiscard]] int count() const { return static_cast<int>(times_.size()); }
 
 private:
+  struct Grid;  // the frame as VTK holds it; topology built once
+  void write_index() const;
+
   std::filesystem::path directory_;
   const Mesh& mesh_;
-  std::vector<double> times_;
+  std::vector<double> times_;  // s
+  std::unique_ptr<Grid> grid_;
 };
 
 struct FrameFile {
@@ -61,6 +80,8 @@ struct FrameFile {
 };
 [[nodiscard]] std::vector<FrameFile> list_frames(const std::filesystem::path& directory);  // from result.pvd
 [[nodiscard]] std::vector<Vec3> read_frame_positions(const std::filesystem::path& frame);  // mm; per node
+// An array of a frame by name (cell, point or field data), tuple after tuple. Throws InputError when it is not there.
+[[nodiscard]] std::vector<double> read_frame_array(const std::filesystem::path& frame, const std::string& name);
 
 void write_history(const History& history, const std::filesystem::path& file);
 [[nodiscard]] History read_history(const std::filesystem::path& file);

@@ -1,2 +1,6 @@
 set(UNIT_SOLVER_SOURCES
+  unit/solver/fabric_forces_test.cpp
+  unit/solver/fields_test.cpp
+  unit/solver/frames_test.cpp
+  unit/solver/history_test.cpp
 )

@@ -1,0 +1,21 @@
+// weaveform check SCENE: reads a scene as `run` would, down to its mesh, and prints it complete with every default.
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "app/stages.hpp"
+#include "mesher/scene/reader.hpp"
+
+namespace weaveform {
+
+void add_check_command(CLI::App& program) {
+  auto* command = program.add_subcommand("check", "Check a scene and print it with every default; writes nothing");
+  const auto arguments = std::make_shared<SceneArguments>();
+  add_scene_arguments(*command, *arguments);
+  command->callback([arguments] {
+    const Model model = build_model(arguments->scene, arguments->overrides);
+    print_answer("# " + describe(model.mesh) + "\n" + scene_to_toml(model.scene));
+  });
+}
+
+}  // namespace weaveform

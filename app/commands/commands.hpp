@@ -1,0 +1,58 @@
+// The commands of `weaveform`, one file each. Each function adds its command to the program, with its options and what
+// it does when called; failures leave it as exceptions and are caught once, in main.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "solver/solve.hpp"
+
+namespace weaveform {
+
+void add_run_command(CLI::App& program);
+void add_mesh_command(CLI::App& program);
+void add_solve_command(CLI::App& program);
+void add_post_command(CLI::App& program);
+void add_check_command(CLI::App& program);
+void add_keys_command(CLI::App& program);
+
+// Options that several commands share, worded once.
+struct SceneArguments {
+  std::string scene;                   // file
+  std::vector<std::string> overrides;  // "key=value"
+};
+
+inline void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "Scene file (TOML; 'weaveform keys' lists what it may hold)")
+      ->required();
+  // One value for each --set, so that a following SCENE is not taken for another override.
+  command
+      .add_option("--set", arguments.overrides,
+                  "Override a value of the scene, e.g. --set grip.top.travel=40; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+inline void add_output_argument(CLI::App& command, std::string& directory) {
+  command.add_option("-o,--output", directory, "Result folder (default: results/NAME of the scene file)")
+      ->type_name("DIR");
+}
+
+inline void add_folder_argument(CLI::App& command, std::string& directory) {
+  command.add_option("DIR", directory, "Result folder")->required();
+}
+
+inline void add_quiet_argument(CLI::App& command, bool& quiet) {
+  command.add_flag("-q,--quiet", quiet, "Print nothing but errors");
+}
+
+inline void add_solve_arguments(CLI::App& command, SolveOptions& options) {
+  command.add_option("--threads", options.threads, "Threads; 0 chooses from the size; the results are the same bits")
+      ->check(CLI::Range(0, 1024));
+  command.add_flag("--resume", options.resume,
+                   "Go on from the checkpoint an interrupted run left in the result folder");
+  add_quiet_argument(command, options.quiet);
+}
+
+}  // namespace weaveform

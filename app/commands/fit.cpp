@@ -1,0 +1,53 @@
+// weaveform fit FIT: material card from raw tests, with a report, tables and charts.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/material/identify/identify.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+
+namespace {
+
+struct FitArguments {
+  std::string file;
+  std::string output;
+  bool keys = false;
+  bool quiet = false;
+};
+
+void fit(const FitArguments& arguments) {
+  if (arguments.keys) return print_answer(identify::fit_reference_markdown());
+  if (arguments.file.empty()) throw InputError("FIT is required; 'weaveform fit --help' tells more");
+  const std::filesystem::path file = arguments.file;
+  const std::filesystem::path directory =
+      arguments.output.empty() ? std::filesystem::path("results") / file.stem() : std::filesystem::path(arguments.output);
+  const auto found = identify::identify(identify::read_fit(file));
+  if (!arguments.quiet) {
+    for (const auto& warning : found.warnings) log_line("warning: " + warning);
+  }
+  for (const auto& output : identify::output_files(found)) write_text_whole(directory / output.name, output.text);
+  if (arguments.quiet) return;
+  print_answer(identify::summary_markdown(found));
+  log_line(fmt::format("card: {}, report: {}", (directory / "card.toml").string(), (directory / "report.md").string()));
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& program) {
+  auto* command = program.add_subcommand("fit", "Material card from raw tests of yarns and fabric");
+  const auto arguments = std::make_shared<FitArguments>();
+  command->add_option("FIT", arguments->file, "Fit file (TOML; 'weaveform fit --keys' lists what it may hold)");
+  command->add_option("-o,--output", arguments->output, "Result folder (default: results/NAME of the fit file)")
+      ->type_name("DIR");
+  command->add_flag("--keys", arguments->keys, "Print every key of a fit file (Markdown)");
+  add_quiet_argument(*command, arguments->quiet);
+  command->callback([arguments] { fit(*arguments); });
+}
+
+}  // namespace weaveform

@@ -1,0 +1,40 @@
+// weaveform mesh SCENE: the yarn lattice and its cells, as DIR/mesh.vtu beside the complete scene.
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "app/result_folder.hpp"
+#include "app/stages.hpp"
+
+namespace weaveform {
+
+namespace {
+
+struct MeshArguments {
+  SceneArguments scene;
+  std::string output;
+  bool quiet = false;
+};
+
+void make_mesh(const MeshArguments& arguments) {
+  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides);
+  const std::filesystem::path directory =
+      arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
+  if (!arguments.quiet) log_start("mesh", model.scene);
+  write_model(model, directory);
+  if (!arguments.quiet) print_answer(describe(model.mesh));
+}
+
+}  // namespace
+
+void add_mesh_command(CLI::App& program) {
+  auto* command = program.add_subcommand("mesh", "Build the mesh of a scene: DIR/mesh.vtu and DIR/scene.toml");
+  const auto arguments = std::make_shared<MeshArguments>();
+  add_scene_arguments(*command, arguments->scene);
+  add_output_argument(*command, arguments->output);
+  add_quiet_argument(*command, arguments->quiet);
+  command->callback([arguments] { make_mesh(*arguments); });
+}
+
+}  // namespace weaveform

@@ -1,0 +1,33 @@
+// weaveform solve DIR: the explicit analysis of a folder that `weaveform mesh` made.
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "app/stages.hpp"
+#include "app/version.hpp"
+
+namespace weaveform {
+
+namespace {
+
+struct SolveArguments {
+  std::string directory;
+  SolveOptions solve;
+};
+
+}  // namespace
+
+void add_solve_command(CLI::App& program) {
+  auto* command = program.add_subcommand("solve", "Run the analysis of DIR/mesh.vtu and DIR/scene.toml");
+  const auto arguments = std::make_shared<SolveArguments>();
+  add_folder_argument(*command, arguments->directory);
+  add_solve_arguments(*command, arguments->solve);
+  command->callback([arguments] {
+    if (!arguments->solve.quiet) log_line(fmt::format("{}: solve {}", version_line(), arguments->directory));
+    solve_folder(arguments->directory, arguments->solve);
+  });
+}
+
+}  // namespace weaveform

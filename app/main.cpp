@@ -1,0 +1,46 @@
+// The one executable: hands the arguments to a command and turns what it throws into an exit code (app/console.hpp).
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <exception>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "app/version.hpp"
+#include "mesher/base/error.hpp"
+
+namespace {
+
+constexpr const char* description =
+    "Weaveform predicts how a woven reinforcement forms: yarns at their interval, merged with cells that carry shear.\n"
+    "Exit codes: 0 done, 2 input wrong, 3 the physics failed, 4 files, 130 interrupted (checkpoint left), 1 a defect.";
+
+int run_command(int argc, char** argv) {
+  CLI::App program(description, "weaveform");
+  program.set_version_flag("--version", weaveform::version_line());
+  program.require_subcommand(1);
+  weaveform::add_run_command(program);
+  weaveform::add_mesh_command(program);
+  weaveform::add_solve_command(program);
+  weaveform::add_post_command(program);
+  weaveform::add_check_command(program);
+  weaveform::add_keys_command(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // --help and --version come this way too, with code 0.
+    if (error.get_exit_code() == 0) return program.exit(error);
+    throw weaveform::InputError(std::string(error.what()) +
+                                "; 'weaveform --help' and 'weaveform COMMAND --help' tell more");
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_command(argc, argv);
+  } catch (const std::exception& error) {
+    return weaveform::report(error);
+  }
+}

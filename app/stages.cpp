@@ -1,0 +1,69 @@
+#include "app/stages.hpp"
+
+#include <fmt/core.h>
+
+#include "app/console.hpp"
+#include "app/result_folder.hpp"
+#include "app/version.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/lattice/build.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+#include "mesher/scene/reader.hpp"
+#include "post/post.hpp"
+
+namespace weaveform {
+
+namespace fs = std::filesystem;
+
+Model build_model(const fs::path& scene_file, const std::vector<std::string>& overrides) {
+  Model model;
+  model.scene = read_scene(scene_file, overrides);
+  model.card = load_card(model.scene.fabric.material, model.scene.file);
+  model.mesh = build_mesh(model.scene, model.card);
+  return model;
+}
+
+std::string describe(const Mesh& mesh) {
+  return fmt::format(
+      "mesh: {} cells, {} yarn elements, {} nodes; spacing {:.4g} mm along the warp, {:.4g} mm along the weft",
+      mesh.cells.size(), mesh.yarn_count(), mesh.node_count(), mesh.spacing[0], mesh.spacing[1]);
+}
+
+void log_start(const std::string& command, const Scene& scene) {
+  log_line(fmt::format("{}: {} {}", version_line(), command, scene.file));
+  log_line(scene_to_toml(scene));
+}
+
+void write_model(const Model& model, const fs::path& directory) {
+  prepare_folder(directory);
+  // The folder's copy may be read from anywhere, so nothing in it may hang on where the original lies.
+  write_scene_copy(with_absolute_paths(model.scene), directory);
+  write_mesh(model.mesh, directory / "mesh.vtu");
+}
+
+void require_same_scene(const Scene& scene, const fs::path& directory) {
+  require_file(directory, "scene.toml", "weaveform run SCENE, without --resume");
+  const fs::path copy = directory / "scene.toml";
+  if (scene_to_toml(read_scene(copy)) == scene_to_toml(with_absolute_paths(scene))) return;
+  throw InputError(
+      fmt::format("{}: the scene is not the one this run began with; start anew without --resume, or go on "
+                  "as it began with 'weaveform solve {} --resume'",
+                  scene.file, directory.string()));
+}
+
+void solve_folder(const fs::path& directory, const SolveOptions& options) {
+  require_file(directory, "scene.toml", "weaveform mesh SCENE --output DIR");
+  require_file(directory, "mesh.vtu", "weaveform mesh SCENE --output DIR");
+  const Scene scene = read_scene(directory / "scene.toml");
+  const Card card = load_card(scene.fabric.material, scene.file);
+  const Mesh mesh = read_mesh(directory / "mesh.vtu");
+  if (!options.resume) remove_results(directory);
+  solve(mesh, scene, card, directory, options);
+}
+
+std::string post_folder(const fs::path& directory) {
+  require_file(directory, "result.pvd", "weaveform solve DIR");
+  return post_process(directory);
+}
+
+}  // namespace weaveform

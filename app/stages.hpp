@@ -1,0 +1,44 @@
+// The stages of the chain, scene -> mesh -> solve -> post, as the commands call them. Each leaves its files in the
+// result folder and the next one reads them from there, so `run` and the commands one by one give the same bits.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesher/material/card.hpp"
+#include "mesher/mesh/mesh.hpp"
+#include "mesher/scene/scene.hpp"
+#include "solver/solve.hpp"
+
+namespace weaveform {
+
+// A scene with everything it leads to, checked as far as it can be without running it.
+struct Model {
+  Scene scene;
+  Card card;
+  Mesh mesh;
+};
+
+// Reads the scene with its overrides, its card, and builds the mesh. Throws InputError, FileError.
+[[nodiscard]] Model build_model(const std::filesystem::path& scene_file, const std::vector<std::string>& overrides);
+
+// One line: how many cells, yarn elements and nodes, and at what spacing.
+[[nodiscard]] std::string describe(const Mesh& mesh);
+
+// Logs program, command and every value of the scene, so that the log alone can be run again.
+void log_start(const std::string& command, const Scene& scene);
+
+// mesh: DIR/mesh.vtu and DIR/scene.toml, in a folder cleared of an older run.
+void write_model(const Model& model, const std::filesystem::path& directory);
+
+// Throws InputError unless DIR/scene.toml says the same as `scene`: an analysis goes on only as it began.
+void require_same_scene(const Scene& scene, const std::filesystem::path& directory);
+
+// solve: reads DIR/scene.toml and DIR/mesh.vtu, adds frames, history and statistics. Throws what solve throws.
+void solve_folder(const std::filesystem::path& directory, const SolveOptions& options);
+
+// post: adds contours and summary; gives the table to print.
+[[nodiscard]] std::string post_folder(const std::filesystem::path& directory);
+
+}  // namespace weaveform

@@ -1,0 +1,107 @@
+#include "post/output/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "mesher/base/error.hpp"
+#include "solver/result/statistics.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+constexpr std::array zone_name = {"A", "B", "C"};
+
+double last_value(const History& history, const std::string& column) {
+  const std::vector<double> values = history.values(column);
+  if (values.empty()) throw InputError("history has no row; solve again");
+  return values.back();
+}
+
+Json zones_json(const BiasComparison& bias) {
+  Json zones = Json::object();
+  for (std::size_t z = 0; z < zone_name.size(); ++z)
+    zones[zone_name[z]] = {{"cells", bias.simulated[z].cells},
+                           {"area_mm2", bias.simulated[z].area},
+                           {"shear_angle_deg", bias.simulated[z].mean * degrees_per_radian},
+                           {"sd", bias.simulated[z].sd * degrees_per_radian},
+                           {"ideal_deg", bias.ideal_angle[z] * degrees_per_radian}};
+  return zones;
+}
+
+Json travel_json(const BiasComparison& bias, const std::vector<MeasureSummary>& measure) {
+  Json rows = Json::array();
+  for (const BiasRow& row : bias.row) {
+    Json measures = Json::object();
+    for (std::size_t m = 0; m < measure.size(); ++m)
+      measures[measure[m].name] = row.measured_angle[m] * degrees_per_radian;
+    rows.push_back({{"travel_mm", row.travel},
+                    {"shear_angle_deg", measures},
+                    {"ideal_deg", row.ideal_angle * degrees_per_radian},
+                    {"force_N", {{bias.specimen.grip[0], row.load[0]}, {bias.specimen.grip[1], row.load[1]}}},
+                    {"ideal_force_N", row.ideal_load}});
+  }
+  return rows;
+}
+
+void add_bias(Json& json, const BiasComparison& bias, const std::vector<MeasureSummary>& measure) {
+  const ZoneAreas area = zone_areas(bias.specimen);
+  json["bias_extension"] = {{"width_mm", bias.specimen.width},
+                            {"length_mm", bias.specimen.length},
+                            {"axis", bias.specimen.axis == 0 ? "x" : "y"},
+                            {"zone_area_mm2", {{"A", area.a}, {"B", area.b}, {"C", area.c}}}};
+  json["zones"] = zones_json(bias);
+  if (bias.row.empty()) return;
+  const BiasRow& end = bias.row.back();
+  json["ideal"] = {{"travel_mm", end.travel},
+                   {"shear_angle_deg", end.ideal_angle * degrees_per_radian},
+                   {"force_N", end.ideal_load}};
+  json["travel"] = travel_json(bias, measure);
+}
+
+}  // namespace
+
+std::vector<GripSummary> summarise_grips(const Scene& scene, const History& history) {
+  std::vector<GripSummary> summary;
+  for (const GripSpec& grip : scene.grip) {
+    const std::vector<double> force = history.values(grip.name + ".force_N");
+    const auto largest =
+        std::max_element(force.begin(), force.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    summary.push_back({grip.name, last_value(history, grip.name + ".displacement_mm"),
+                       last_value(history, grip.name + ".force_N"), *largest});
+  }
+  return summary;
+}
+
+std::vector<MeasureSummary> summarise_measures(const Scene& scene, const History& history) {
+  std::vector<MeasureSummary> summary;
+  for (const MeasureSpec& measure : scene.measure) {
+    const std::string angle = measure.name + ".shear_angle_";
+    summary.push_back({measure.name, last_value(history, angle + "deg"), last_value(history, angle + "sd_deg"),
+                       last_value(history, angle + "min_deg"), last_value(history, angle + "max_deg")});
+  }
+  return summary;
+}
+
+void write_summary(const Summary& summary, const std::filesystem::path& file) {
+  Json json;
+  for_each_statistic(summary.statistics, [&](const char* name, const auto& value) { json[name] = value; });
+  json["measures"] = Json::object();
+  for (const MeasureSummary& m : summary.measure)
+    json["measures"][m.name] = {{"shear_angle_deg", m.mean}, {"sd", m.sd}, {"min", m.least}, {"max", m.greatest}};
+  json["grips"] = Json::object();
+  for (const GripSummary& g : summary.grip)
+    json["grips"][g.name] = {
+        {"displacement_mm", g.displacement}, {"force_N", g.force}, {"largest_force_N", g.largest_force}};
+  if (summary.bias) add_bias(json, *summary.bias, summary.measure);
+  write_text_whole(file, json.dump(2) + "\n");
+}
+
+}  // namespace weaveform

@@ -1,0 +1,134 @@
+// The table printed at the end of a run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "post/output/summary.hpp"
+
+namespace weaveform {
+
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+constexpr std::array zone_title = {"A  centre", "B  half shear", "C  at grips"};
+
+constexpr int travel_column = 12;  // characters; of the table over the travel, whose headings are names
+
+// A number at the right of a column; "-" where there is none (a zone without cells, an ideal past 90 deg).
+std::string number(double value, int decimals = 2, int width = 10) {
+  return std::isfinite(value) ? fmt::format("{:{}.{}f}", value, width, decimals) : fmt::format("{:>{}}", "-", width);
+}
+
+std::string percent(double fraction) {
+  return fmt::format("{:.3g} %", 100.0 * fraction);
+}
+
+// Names stand in a column as wide as the longest of them.
+template <class Item>
+std::size_t name_width(const std::vector<Item>& items, std::size_t least) {
+  for (const Item& item : items) least = std::max(least, item.name.size());
+  return least;
+}
+
+std::string run_lines(const SolveStatistics& s) {
+  std::string text = fmt::format(
+      "run     {} cells, {} yarn elements, {} nodes; {} steps in {:.3g} s on {} thread{} ({:.3g} million "
+      "cell-steps/s)\n",
+      s.cells, s.yarns, s.nodes, s.steps, s.wall_s, s.threads, s.threads == 1 ? "" : "s", 1e-6 * s.cell_steps_per_s);
+  text += fmt::format("step    {:.3g} s at least, set by {}; {:.4g} s in all; damping {:.3g} /s\n", s.step_s,
+                      s.step_set_by.empty() ? "the user" : s.step_set_by, s.duration_s, s.damping_per_s);
+  text += fmt::format("trust   energy error {}, kinetic/internal {}, damping work {:.3g} mJ\n", percent(s.energy_error),
+                      percent(s.kinetic_to_internal), s.damping_work_mJ);
+  text += fmt::format("        folded cells {} at the end, {} at worst; {} cells beyond the card's shear law\n",
+                      s.folded_cells_at_end, s.folded_cells, s.cells_beyond_card);
+  text += fmt::format("fabric  largest |shear angle| {:.2f} deg, largest yarn strain {:.3g}\n", s.max_shear_angle_deg,
+                      s.max_yarn_strain);
+  return text;
+}
+
+std::string measure_lines(const std::vector<MeasureSummary>& measures) {
+  if (measures.empty()) return "";
+  const std::size_t width = name_width(measures, 16);
+  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}{:>10}   shear angle at the end, deg\n", "measure", width,
+                                 "mean", "sd", "min", "max");
+  for (const MeasureSummary& m : measures)
+    text += fmt::format("{:<{}}{}{}{}{}\n", m.name, width, number(m.mean), number(m.sd), number(m.least),
+                        number(m.greatest));
+  return text;
+}
+
+// Two grips that pull against each other should feel the same load; inertia, damping and free noise make the
+// difference.
+std::string load_difference(double first, double second) {
+  const double difference = std::abs(first - second);
+  const double larger = std::max(std::abs(first), std::abs(second));
+  return fmt::format("loads of the two grips differ by {:.3g} N ({} of the larger)\n", difference,
+                     larger > 0.0 ? percent(difference / larger) : "0 %");
+}
+
+std::string grip_lines(const Summary& summary) {
+  if (summary.grip.empty()) return "";
+  const std::size_t width = name_width(summary.grip, 16);
+  std::string text =
+      fmt::format("\n{:<{}}{:>10}{:>10}{:>10}   along its motion\n", "grip", width, "travel mm", "end N", "largest N");
+  for (const GripSummary& g : summary.grip)
+    text += fmt::format("{:<{}}{}{}{}\n", g.name, width, number(g.displacement), number(g.force, 3),
+                        number(g.largest_force, 3));
+  if (summary.bias && !summary.bias->row.empty()) {
+    const BiasRow& end = summary.bias->row.back();
+    text += load_difference(end.load[0], end.load[1]);
+  }
+  return text;
+}
+
+std::string zone_lines(const BiasComparison& bias) {
+  std::string text = fmt::format(
+      "\nbias extension, W {:g} x L {:g} mm; ideal: inextensible yarns, three zones (Eq. 14); cells on a zone line "
+      "left "
+      "out\n{:<16}{:>10}{:>10}{:>10}{:>10}   shear angle at the end, deg\n",
+      bias.specimen.width, bias.specimen.length, "zone", "cells", "mean", "sd", "ideal");
+  for (std::size_t z = 0; z < zone_title.size(); ++z)
+    text += fmt::format("{:<16}{:>10}{}{}{}\n", zone_title[z], bias.simulated[z].cells,
+                        number(bias.simulated[z].mean * degrees_per_radian),
+                        number(bias.simulated[z].sd * degrees_per_radian),
+                        number(bias.ideal_angle[z] * degrees_per_radian));
+  return text;
+}
+
+// "name unit" at the right of a column; a longer name is cut, never run into its neighbour.
+std::string heading(const std::string& name, const std::string& unit) {
+  const std::size_t room = travel_column - 2 - unit.size();
+  return fmt::format("{:>{}}", fmt::format("{:.{}} {}", name, room, unit), travel_column);
+}
+
+std::string travel_lines(const BiasComparison& bias, const std::vector<MeasureSummary>& measures) {
+  const auto column = [](double value, int decimals) { return number(value, decimals, travel_column); };
+  std::string text = fmt::format("\n{}", heading("travel", "mm"));
+  for (const MeasureSummary& m : measures) text += heading(m.name, "deg");
+  text += heading("ideal", "deg");
+  for (const std::string& grip : bias.specimen.grip) text += heading(grip, "N");
+  text += fmt::format("{}\n", heading("ideal", "N"));
+  for (const BiasRow& row : bias.row) {
+    text += column(row.travel, 2);
+    for (const double angle : row.measured_angle) text += column(angle * degrees_per_radian, 2);
+    text += column(row.ideal_angle * degrees_per_radian, 2);
+    text += fmt::format("{}{}{}\n", column(row.load[0], 3), column(row.load[1], 3), column(row.ideal_load, 3));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary_table(const Summary& summary) {
+  std::string text = run_lines(summary.statistics);
+  text += measure_lines(summary.measure);
+  text += grip_lines(summary);
+  if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);
+  return text;
+}
+
+}  // namespace weaveform

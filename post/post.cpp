@@ -1,0 +1,61 @@
+#include "post/post.hpp"
+
+#include <fmt/format.h>
+
+#include "mesher/base/error.hpp"
+#include "mesher/material/card.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+#include "mesher/scene/reader.hpp"
+#include "post/measure/bias_comparison.hpp"
+#include "post/output/contours.hpp"
+#include "post/output/summary.hpp"
+#include "solver/result/result.hpp"
+
+namespace weaveform {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void require(const fs::path& directory) {
+  for (const char* name : {"scene.toml", "mesh.vtu", "result.pvd", "history.csv", "solve.json"})
+    if (!fs::is_regular_file(directory / name))
+      throw FileError(
+          fmt::format("{}: no such file; solve the scene into this folder first", (directory / name).string()));
+}
+
+// Fields of the last frame listed; computed anew from its positions, so that post and solver share one formula.
+Fields last_fields(const fs::path& directory, const Mesh& mesh, const Card& card, const ModelSpec& model) {
+  const std::vector<FrameFile> frames = list_frames(directory);
+  if (frames.empty())
+    throw InputError(fmt::format("{}: lists no frame; solve again", (directory / "result.pvd").string()));
+  const std::vector<Vec3> position = read_frame_positions(frames.back().file);
+  if (static_cast<int>(position.size()) != mesh.node_count())
+    throw InputError(fmt::format("{}: {} nodes, but mesh.vtu has {}; the folder mixes two runs, solve again",
+                                 frames.back().file.string(), position.size(), mesh.node_count()));
+  return compute_fields(mesh, card, model, frames.back().time, position);
+}
+
+}  // namespace
+
+std::string post_process(const fs::path& directory) {
+  require(directory);
+  const Scene scene = read_scene(directory / "scene.toml");
+  const Card card = load_card(scene.fabric.material, scene.file);
+  const Mesh mesh = read_mesh(directory / "mesh.vtu");
+  const History history = read_history(directory / "history.csv");
+  const Fields end = last_fields(directory, mesh, card, scene.model);
+
+  write_contours(shear_angle_isolines(mesh, end, scene.output.contour_step), directory / "contours.vtp");
+
+  Summary summary;
+  summary.statistics = read_statistics(directory / "solve.json");
+  summary.grip = summarise_grips(scene, history);
+  summary.measure = summarise_measures(scene, history);
+  if (const auto specimen = find_bias_extension(scene))
+    summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
+  write_summary(summary, directory / "summary.json");
+  return summary_table(summary);
+}
+
+}  // namespace weaveform

@@ -1,0 +1,196 @@
+#include "solver/result/fields.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace weaveform {
+
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d vector_of(const Vec3& a) {
+  return {a[0], a[1], a[2]};
+}
+Vec3 array_of(const Vector3d& a) {
+  return {a.x(), a.y(), a.z()};
+}
+
+struct YarnDirections {
+  Vector3d warp = Vector3d::Zero(), weft = Vector3d::Zero();  // 1; not normalised: |g| is the stretch at the centre
+};
+
+// g_f = sum_a coefficient[f][a] x_a (mesh.hpp).
+YarnDirections directions_at_centre(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
+  YarnDirections g;
+  for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry) {
+    const Vector3d x = vector_of(position[cells.node[entry]]);
+    g.warp += cells.coefficient[entry][0] * x;
+    g.weft += cells.coefficient[entry][1] * x;
+  }
+  return g;
+}
+
+// Zero stays zero: a collapsed cell has no direction, and a frame must hold no NaN.
+Vector3d unit(const Vector3d& a) {
+  const double length = a.norm();
+  return length > 0.0 ? Vector3d(a / length) : a;
+}
+
+// sin gamma = g1.g2 (unit vectors), taken as atan2(g1.g2, |g1 x g2|): the arc sine alone loses half the digits near 90
+// deg.
+double shear_angle(const Vector3d& warp, const Vector3d& weft) {
+  return std::atan2(warp.dot(weft), warp.cross(weft).norm());
+}
+
+double distance(const Vec3& a, const Vec3& b) {
+  return (vector_of(b) - vector_of(a)).norm();
+}
+
+struct YarnState {
+  double strain = 0.0;  // 1
+  double force = 0.0;   // N
+};
+
+// Stress of one family's yarns: the tension law above zero strain, a constant modulus below.
+struct YarnStress {
+  const TangentLaw& tension;
+  double compression_modulus;  // MPa
+  [[nodiscard]] double operator()(double strain) const {
+    return strain < 0.0 ? compression_modulus * strain : tension.stress(strain);
+  }
+};
+
+// e = ln((L + jaw)/(L0 + jaw)),  N = s(e) A softening (L0 + jaw)/(L + jaw)   (mesh.hpp; without the last factor when
+// the section is constant).
+YarnState yarn_state(const MeshYarns& yarns, std::size_t yarn, double length, const YarnStress& stress,
+                     bool incompressible) {
+  const double rest = yarns.rest_length[yarn] + yarns.jaw[yarn];
+  const double current = length + yarns.jaw[yarn];
+  const double strain = std::log(current / rest);
+  const double section = yarns.section[yarn] * yarns.softening[yarn] * (incompressible ? rest / current : 1.0);
+  return {strain, stress(strain) * section};
+}
+
+std::vector<Vector3d> oriented_areas(const Mesh& mesh, const std::vector<Vec3>& position) {
+  std::vector<Vector3d> area(mesh.cells.size());
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const YarnDirections g = directions_at_centre(mesh.cells, cell, position);
+    area[cell] = mesh.cells.area[cell] * g.warp.cross(g.weft);
+  }
+  return area;
+}
+
+Vector3d sum_of(const std::vector<Vector3d>& vectors) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& v : vectors) sum += v;
+  return sum;
+}
+
+// True when every node lies in the plane through `origin` with unit normal `normal`, to 1e-9 of the blank's extent.
+bool lies_in_plane(const std::vector<Vec3>& position, const Vector3d& origin, const Vector3d& normal) {
+  double extent = 0.0, height = 0.0;
+  for (const Vec3& x : position) {
+    const Vector3d from_origin = vector_of(x) - origin;
+    extent = std::max(extent, from_origin.cwiseAbs().maxCoeff());
+    height = std::max(height, std::abs(from_origin.dot(normal)));
+  }
+  return height <= 1e-9 * extent;
+}
+
+// Sum over a cell's nodes of the oriented areas of all other cells at that node.
+std::vector<Vector3d> patch_areas(const MeshCells& cells, const std::vector<Vector3d>& area, int node_count) {
+  std::vector<Vector3d> at_node(node_count, Vector3d::Zero());
+  for (int cell = 0; cell < cells.size(); ++cell)
+    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry)
+      at_node[cells.node[entry]] += area[cell];
+  std::vector<Vector3d> patch(cells.size(), Vector3d::Zero());
+  for (int cell = 0; cell < cells.size(); ++cell)
+    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry)
+      patch[cell] += at_node[cells.node[entry]] - area[cell];
+  return patch;
+}
+
+void fill_cells(const MeshCells& cells, Fields& fields) {
+  fields.shear_angle.resize(cells.size());
+  fields.warp.resize(cells.size());
+  fields.weft.resize(cells.size());
+  for (int cell = 0; cell < cells.size(); ++cell) {
+    const YarnDirections g = directions_at_centre(cells, cell, fields.position);
+    const Vector3d warp = unit(g.warp), weft = unit(g.weft);
+    fields.shear_angle[cell] = shear_angle(warp, weft);
+    fields.warp[cell] = array_of(warp);
+    fields.weft[cell] = array_of(weft);
+  }
+}
+
+void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model, Fields& fields) {
+  const std::array<TangentLaw, 2> tension = yarn_laws(card, model);
+  const bool incompressible = model.section != "constant";
+  const std::size_t count = yarns.node.size();
+  fields.yarn_strain.resize(count);
+  fields.yarn_force.resize(count);
+  for (std::size_t yarn = 0; yarn < count; ++yarn) {
+    const auto family = static_cast<std::size_t>(yarns.family[yarn]);
+    const YarnStress stress{tension[family], model.yarn_stiffness_scale * card.yarn[family].compression_modulus};
+    const auto [a, b] = yarns.node[yarn];
+    const double length = distance(fields.position[a], fields.position[b]);
+    const YarnState state = yarn_state(yarns, yarn, length, stress, incompressible);
+    fields.yarn_strain[yarn] = state.strain;
+    fields.yarn_force[yarn] = state.force;
+  }
+}
+
+}  // namespace
+
+std::array<TangentLaw, 2> yarn_laws(const Card& card, const ModelSpec& model) {
+  std::array<TangentLaw, 2> laws;
+  for (int family = 0; family < 2; ++family) {
+    const YarnCard& yarn = card.yarn[family];
+    // One constant piece: past its end the tangent keeps its value, so the upper bound is without effect.
+    std::vector<TangentPiece> pieces = model.yarn_law == "linear"
+                                           ? std::vector<TangentPiece>{{0.0, 1.0, {yarn.linear_modulus}}}
+                                           : yarn.tension.pieces();
+    for (TangentPiece& piece : pieces)
+      for (double& coefficient : piece.coefficient) coefficient *= model.yarn_stiffness_scale;
+    laws[family] = TangentLaw(std::move(pieces));
+  }
+  return laws;
+}
+
+std::vector<bool> folded_cells(const Mesh& mesh, const std::vector<Vec3>& position) {
+  const std::vector<Vector3d> area = oriented_areas(mesh, position);
+  std::vector<bool> folded(area.size(), false);
+  if (area.empty()) return folded;
+
+  // A blank that is and stays planar has one normal, its initial one, by which even a patch turned over whole is known.
+  const Vector3d normal = unit(sum_of(oriented_areas(mesh, mesh.nodes.position)));
+  const Vector3d origin = vector_of(mesh.nodes.position.front());
+  if (lies_in_plane(mesh.nodes.position, origin, normal) && lies_in_plane(position, origin, normal)) {
+    for (std::size_t cell = 0; cell < area.size(); ++cell) folded[cell] = area[cell].dot(normal) < 0.0;
+    return folded;
+  }
+  const std::vector<Vector3d> patch = patch_areas(mesh.cells, area, mesh.node_count());
+  for (std::size_t cell = 0; cell < area.size(); ++cell) folded[cell] = area[cell].dot(patch[cell]) < 0.0;
+  return folded;
+}
+
+Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,
+                      const std::vector<Vec3>& position) {
+  Fields fields;
+  fields.time = time;
+  fields.position = position;
+  fields.displacement.resize(position.size());
+  for (std::size_t node = 0; node < position.size(); ++node)
+    for (int k = 0; k < 3; ++k) fields.displacement[node][k] = position[node][k] - mesh.nodes.position[node][k];
+
+  fill_cells(mesh.cells, fields);
+  fields.folded = folded_cells(mesh, position);
+  fill_yarns(mesh.yarns, card, model, fields);
+  return fields;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,205 @@
+// The frame writer: one grid, whose topology is built once and whose arrays are refilled for each frame.
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "mesher/base/error.hpp"
+#include "solver/result/beside.hpp"
+#include "solver/result/result.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+std::string frame_name(std::size_t number) {
+  return fmt::format("frames/frame_{:04d}.vtu", number);
+}
+
+template <class Array>
+Array* add_array(vtkFieldData& data, const char* name, int components, vtkIdType tuples) {
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  array->Fill(0.0);
+  data.AddArray(array);
+  return array;  // kept alive by `data`
+}
+
+int polygon_type(int nodes) {
+  return nodes == 3 ? VTK_TRIANGLE : nodes == 4 ? VTK_QUAD : VTK_POLYGON;
+}
+
+// Lines first, then polygons, each in the mesh's order.
+void set_topology(vtkUnstructuredGrid& grid, const Mesh& mesh) {
+  const vtkIdType count = mesh.yarn_count() + mesh.cells.size();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfTuples(count);
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(count, 2 * mesh.yarn_count() + static_cast<vtkIdType>(mesh.cells.node.size()));
+  vtkIdType next = 0;
+  for (const auto& [a, b] : mesh.yarns.node) {
+    const vtkIdType ends[2] = {a, b};
+    cells->InsertNextCell(2, ends);
+    types->SetValue(next++, VTK_LINE);
+  }
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const int begin = mesh.cells.offset[cell], nodes = mesh.cells.offset[cell + 1] - begin;
+    cells->InsertNextCell(nodes);
+    for (int k = 0; k < nodes; ++k) cells->InsertCellPoint(mesh.cells.node[begin + k]);
+    types->SetValue(next++, static_cast<unsigned char>(polygon_type(nodes)));
+  }
+  grid.SetCells(types, cells);
+}
+
+void set_family(vtkUnsignedCharArray& family, const Mesh& mesh) {
+  for (int yarn = 0; yarn < mesh.yarn_count(); ++yarn)
+    family.SetValue(yarn, mesh.yarns.family[yarn] == Family::warp ? 1 : 2);
+}
+
+}  // namespace
+
+struct FrameWriter::Grid {
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkDoubleArray *point = nullptr, *time = nullptr, *displacement = nullptr;
+  vtkDoubleArray *shear_angle = nullptr, *yarn_strain = nullptr, *yarn_force = nullptr;
+  vtkFloatArray *warp = nullptr, *weft = nullptr;
+  vtkUnsignedCharArray* folded = nullptr;
+  CellsBeside beside;
+
+  explicit Grid(const Mesh& mesh) : beside(cells_beside_yarns(mesh)) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(mesh.node_count());
+    point = vtkDoubleArray::SafeDownCast(points->GetData());
+    grid->SetPoints(points);
+    set_topology(*grid, mesh);
+
+    const vtkIdType elements = mesh.yarn_count() + mesh.cells.size();
+    vtkFieldData& cell_data = *grid->GetCellData();
+    set_family(*add_array<vtkUnsignedCharArray>(cell_data, "family", 1, elements), mesh);
+    shear_angle = add_array<vtkDoubleArray>(cell_data, "shear_angle_deg", 1, elements);
+    yarn_strain = add_array<vtkDoubleArray>(cell_data, "yarn_strain", 1, elements);
+    yarn_force = add_array<vtkDoubleArray>(cell_data, "yarn_force_N", 1, elements);
+    // Directions are for arrows on a screen: single precision does.
+    warp = add_array<vtkFloatArray>(cell_data, "warp_direction", 3, elements);
+    weft = add_array<vtkFloatArray>(cell_data, "weft_direction", 3, elements);
+    folded = add_array<vtkUnsignedCharArray>(cell_data, "folded", 1, elements);
+    displacement = add_array<vtkDoubleArray>(*grid->GetPointData(), "displacement_mm", 3, mesh.node_count());
+    time = add_array<vtkDoubleArray>(*grid->GetFieldData(), "TimeValue", 1, 1);
+    grid->GetCellData()->SetActiveScalars("shear_angle_deg");
+  }
+
+  // Values on yarns and on cells stand one behind the other, as the lines and polygons do.
+  static void fill(vtkDoubleArray& array, const std::vector<double>& on_yarns, const std::vector<double>& on_cells,
+                   double factor) {
+    const auto scaled = [factor](double value) { return factor * value; };
+    double* next = std::transform(on_yarns.begin(), on_yarns.end(), array.GetPointer(0), scaled);
+    std::transform(on_cells.begin(), on_cells.end(), next, scaled);
+  }
+
+  static void fill(vtkDoubleArray& array, const std::vector<Vec3>& vectors) {
+    double* next = array.GetPointer(0);
+    for (const Vec3& v : vectors) next = std::copy(v.begin(), v.end(), next);
+  }
+
+  static void set_direction(vtkFloatArray& array, vtkIdType element, const Vec3& d) {
+    for (int k = 0; k < 3; ++k) array.SetTypedComponent(element, k, static_cast<float>(d[k]));
+  }
+
+  void fill_directions(const Mesh& mesh, const Fields& fields) {
+    for (int yarn = 0; yarn < mesh.yarn_count(); ++yarn) {
+      const Vec3 &a = fields.position[mesh.yarns.node[yarn][0]], &b = fields.position[mesh.yarns.node[yarn][1]];
+      const Vec3 along = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+      const double length = std::hypot(along[0], along[1], along[2]);
+      const double scale = length > 0.0 ? 1.0 / length : 0.0;
+      set_direction(mesh.yarns.family[yarn] == Family::warp ? *warp : *weft, yarn,
+                    {along[0] * scale, along[1] * scale, along[2] * scale});
+    }
+    for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+      set_direction(*warp, mesh.yarn_count() + cell, fields.warp[cell]);
+      set_direction(*weft, mesh.yarn_count() + cell, fields.weft[cell]);
+    }
+  }
+
+  void fill(const Mesh& mesh, const Fields& fields) {
+    time->SetValue(0, fields.time);
+    fill(*point, fields.position);
+    fill(*displacement, fields.displacement);
+    fill(*shear_angle, mean_on_yarns(beside, fields.shear_angle), fields.shear_angle, degrees_per_radian);
+    const int cells = mesh.cells.size();
+    fill(*yarn_strain, fields.yarn_strain, mean_on_cells(beside, fields.yarn_strain, cells), 1.0);
+    fill(*yarn_force, fields.yarn_force, mean_on_cells(beside, fields.yarn_force, cells), 1.0);
+    fill_directions(mesh, fields);
+    for (int cell = 0; cell < cells; ++cell) folded->SetValue(mesh.yarn_count() + cell, fields.folded[cell] ? 1 : 0);
+    grid->GetPoints()->Modified();
+    grid->Modified();
+  }
+};
+
+FrameWriter::FrameWriter(fs::path directory, const Mesh& mesh, int frames_kept)
+    : directory_(std::move(directory)), mesh_(mesh), grid_(std::make_unique<Grid>(mesh)) {
+  if (frames_kept > 0) {
+    const std::vector<FrameFile> earlier = list_frames(directory_);
+    if (static_cast<int>(earlier.size()) < frames_kept)
+      throw FileError(fmt::format("{}: lists {} frames where the checkpoint counts {}; run again without --resume",
+                                  (directory_ / "result.pvd").string(), earlier.size(), frames_kept));
+    for (int k = 0; k < frames_kept; ++k) times_.push_back(earlier[k].time);
+  }
+  // Frames of an earlier run in the same folder would otherwise stay behind, numbered past this run's last.
+  std::error_code unimportant;
+  for (std::size_t k = times_.size(); fs::remove(directory_ / frame_name(k), unimportant); ++k) {
+  }
+  if (times_.empty())
+    fs::remove(directory_ / "result.pvd", unimportant);
+  else
+    write_index();
+}
+
+FrameWriter::~FrameWriter() = default;
+
+void FrameWriter::write(const Fields& fields) {
+  grid_->fill(mesh_, fields);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid_->grid);
+  write_vtk_whole(directory_ / frame_name(times_.size()), *writer);
+  times_.push_back(fields.time);
+  write_index();
+}
+
+void FrameWriter::write_index() const {
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"{}Endian\">\n  "
+      "<Collection>\n",
+      std::endian::native == std::endian::little ? "Little" : "Big");
+  for (std::size_t k = 0; k < times_.size(); ++k)
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times_[k], frame_name(k));
+  text += "  </Collection>\n</VTKFile>\n";
+  write_text_whole(directory_ / "result.pvd", text);
+}
+
+}  // namespace weaveform

@@ -1,0 +1,109 @@
+// history.csv: comma-separated, one header line, numbers with ten significant digits.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "mesher/base/error.hpp"
+#include "solver/result/result.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+
+namespace {
+
+// A grip's name may hold a comma or a quote; such a field is quoted and its quotes are doubled (RFC 4180, 2005).
+std::string quoted(const std::string& field) {
+  if (field.find_first_of(",\"\n\r") == std::string::npos) return field;
+  std::string text = "\"";
+  for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + "\"";
+}
+
+// Splits one record off the front of `text`, line end included.
+std::vector<std::string> take_record(std::string_view& text) {
+  std::vector<std::string> field(1);
+  bool inside_quotes = false;
+  std::size_t at = 0;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      const bool doubled = inside_quotes && at + 1 < text.size() && text[at + 1] == '"';
+      if (doubled)
+        field.back() += text[at++];
+      else
+        inside_quotes = !inside_quotes;
+    } else if (c == ',' && !inside_quotes) {
+      field.emplace_back();
+    } else if (c == '\n' && !inside_quotes) {
+      ++at;
+      break;
+    } else if (c != '\r' || inside_quotes) {
+      field.back() += c;
+    }
+  }
+  text.remove_prefix(at);
+  return field;
+}
+
+std::vector<double> numbers(const std::vector<std::string>& field, const std::string& where) {
+  std::vector<double> row(field.size());
+  for (std::size_t k = 0; k < field.size(); ++k) {
+    const char *begin = field[k].data(), *end = begin + field[k].size();
+    const auto [stop, error] = std::from_chars(begin, end, row[k]);
+    if (error != std::errc{} || stop != end)
+      throw InputError(fmt::format("{}: '{}' is no number; write the history anew", where, field[k]));
+  }
+  return row;
+}
+
+}  // namespace
+
+int History::index(const std::string& name) const {
+  const auto found = std::find(column.begin(), column.end(), name);
+  return found == column.end() ? -1 : static_cast<int>(found - column.begin());
+}
+
+std::vector<double> History::values(const std::string& name) const {
+  const int k = index(name);
+  if (k < 0)
+    throw InputError(fmt::format("history has no column '{}'; its columns are {}", name, fmt::join(column, ", ")));
+  std::vector<double> values;
+  values.reserve(row.size());
+  for (const auto& one : row) values.push_back(one[k]);
+  return values;
+}
+
+void write_history(const History& history, const std::filesystem::path& file) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  for (std::size_t k = 0; k < history.column.size(); ++k)
+    fmt::format_to(out, "{}{}", k == 0 ? "" : ",", quoted(history.column[k]));
+  fmt::format_to(out, "\n");
+  for (const auto& row : history.row) {
+    for (std::size_t k = 0; k < row.size(); ++k) fmt::format_to(out, "{}{:.10g}", k == 0 ? "" : ",", row[k]);
+    fmt::format_to(out, "\n");
+  }
+  write_text_whole(file, {text.data(), text.size()});
+}
+
+History read_history(const std::filesystem::path& file) {
+  const std::string content = read_text(file);
+  std::string_view text = content;
+  History history;
+  history.column = take_record(text);
+  for (int line = 2; !text.empty(); ++line) {
+    const std::string where = fmt::format("{}:{}", file.string(), line);
+    const std::vector<std::string> field = take_record(text);
+    if (field.size() != history.column.size())
+      throw InputError(fmt::format("{}: {} values under {} columns; write the history anew", where, field.size(),
+                                   history.column.size()));
+    history.row.push_back(numbers(field, where));
+  }
+  return history;
+}
+
+}  // namespace weaveform

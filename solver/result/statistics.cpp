@@ -1,0 +1,53 @@
+// solve.json: SolveStatistics under the names of its fields.
+#include "solver/result/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "mesher/base/error.hpp"
+#include "solver/result/result.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+
+namespace {
+
+// JSON has no "not a number": it is written as null and read back as one.
+void take(const nlohmann::json& value, double& field) {
+  field = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+template <class Field>
+void take(const nlohmann::json& value, Field& field) {
+  field = value.get<Field>();
+}
+
+}  // namespace
+
+void write_statistics(const SolveStatistics& statistics, const std::filesystem::path& file) {
+  nlohmann::ordered_json json;
+  for_each_statistic(statistics, [&](const char* name, const auto& value) { json[name] = value; });
+  write_text_whole(file, json.dump(2) + "\n");
+}
+
+SolveStatistics read_statistics(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  SolveStatistics statistics;
+  const char* current = "";
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    for_each_statistic(statistics, [&](const char* name, auto& value) {
+      current = name;
+      take(json.at(name), value);
+    });
+  } catch (const nlohmann::json::parse_error& error) {
+    throw InputError(fmt::format("{}: not JSON (byte {}); solve again", file.string(), error.byte));
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(fmt::format("{}: '{}' is missing or of the wrong type; solve again", file.string(), current));
+  }
+  return statistics;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,32 @@
+// The one list of the statistics and their names in files (solve.json, summary.json).
+#pragma once
+
+#include "solver/result/result.hpp"
+
+namespace weaveform {
+
+// Calls visit(name, field) for each field of a SolveStatistics, const or not, in the order of its declaration.
+template <class Statistics, class Visit>
+void for_each_statistic(Statistics& s, Visit visit) {
+  visit("cells", s.cells);
+  visit("nodes", s.nodes);
+  visit("yarns", s.yarns);
+  visit("steps", s.steps);
+  visit("duration_s", s.duration_s);
+  visit("wall_s", s.wall_s);
+  visit("cell_steps_per_s", s.cell_steps_per_s);
+  visit("step_s", s.step_s);
+  visit("step_set_by", s.step_set_by);
+  visit("damping_per_s", s.damping_per_s);
+  visit("energy_error", s.energy_error);
+  visit("kinetic_to_internal", s.kinetic_to_internal);
+  visit("damping_work_mJ", s.damping_work_mJ);
+  visit("max_shear_angle_deg", s.max_shear_angle_deg);
+  visit("max_yarn_strain", s.max_yarn_strain);
+  visit("folded_cells", s.folded_cells);
+  visit("folded_cells_at_end", s.folded_cells_at_end);
+  visit("cells_beyond_card", s.cells_beyond_card);
+  visit("threads", s.threads);
+}
+
+}  // namespace weaveform

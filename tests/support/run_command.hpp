@@ -1,0 +1,37 @@
+// For tests of the program as its users meet it: run a shell command in a folder, look at what it said and left behind.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace weaveform::test {
+
+// A folder of its own for each test, removed at the end.
+class TemporaryFolder {
+public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
+struct CommandResult {
+  int exit_code = -1;  // as a shell tells it: 128 + signal when killed
+  std::string out;     // standard output
+  std::string err;     // standard error
+};
+
+// Runs `command` by sh in `folder`; the word `weaveform` means the program under test.
+[[nodiscard]] CommandResult run_command(const std::string& command, const std::filesystem::path& folder);
+
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+void write_text(const std::string& text, const std::filesystem::path& file);
+
+// A bias extension of a few cells, which runs in well under a second: PW, every fourth yarn.
+[[nodiscard]] std::string tiny_scene();
+
+}  // namespace weaveform::test
