@@ -15,7 +15,9 @@ void add_mesh_command(CLI::App& program);
 void add_solve_command(CLI::App& program);
 void add_post_command(CLI::App& program);
 void add_check_command(CLI::App& program);
+void add_fit_command(CLI::App& program);
 void add_keys_command(CLI::App& program);
+void add_unit_cell_command(CLI::App& program);
 
 // Options that several commands share, worded once.
 struct SceneArguments {

@@ -18,7 +18,11 @@ std::string clock_text(double seconds) {
 }  // namespace
 
 Progress::Progress(std::string title, bool quiet)
-    : title_(std::move(title)), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), printed_(start_) {}
+    : title_(std::move(title)),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(Clock::now()),
+      printed_(start_) {}
 
 bool Progress::due(double fraction) const {
   if (quiet_) return false;
@@ -44,7 +48,8 @@ void Progress::print(double fraction, const std::string& note) {
   printed_ = Clock::now();
   printed_fraction_ = terminal_ ? fraction : static_cast<int>(fraction * 10.0 + 1e-9) / 10.0;
   if (!terminal_) {
-    fmt::print(stderr, "{} {:3.0f} %  {}  elapsed {}  left {}\n", title_, 100.0 * fraction, note, clock_text(elapsed), left);
+    fmt::print(stderr, "{} {:3.0f} %  {}  elapsed {}  left {}\n", title_, 100.0 * fraction, note, clock_text(elapsed),
+               left);
     return;
   }
   constexpr int width = 30;

@@ -1,5 +1,5 @@
-// Progress of long work on stderr: a bar with rate and time left on a terminal, a plain line every tenth in a log, nothing
-// when quiet.
+// Progress of long work on stderr: a bar with rate and time left on a terminal, a plain line every tenth in a log,
+// nothing when quiet.
 #pragma once
 
 #include <chrono>

@@ -22,8 +22,8 @@ struct ShearFrame {
 
 // Rectangle of fabric pulled along its length, yarns at 45 deg to the pull.
 struct BiasRectangle {
-  double width = 0.0;   // mm; W
-  double length = 0.0;  // mm; L > W, from grip to grip
+  double width = 0.0;                                                  // mm; W
+  double length = 0.0;                                                 // mm; L > W, from grip to grip
   [[nodiscard]] double free_length() const { return length - width; }  // mm; D, the diagonal of zone A
 };
 

@@ -10,6 +10,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/cut_cells.hpp"
+#include "mesher/lattice/fit.hpp"
 #include "mesher/lattice/grips.hpp"
 #include "mesher/lattice/lumping.hpp"
 #include "mesher/lattice/net.hpp"
@@ -33,6 +34,11 @@ constexpr double fewest_cells = 3.0;
 // The spacing of the model's crossings along the warp is that of its weft yarns, and the other way round.
 Vec2 model_spacing(const BlankSpec& blank, const Card& card) {
   return {blank.coarsening[1] * card.yarn[1].interval, blank.coarsening[0] * card.yarn[0].interval};
+}
+
+// Yarns per model yarn at the spacing the lines really have.
+std::array<double, 2> real_coarsening(const Vec2& spacing, const Card& card) {
+  return {spacing[1] / card.yarn[0].interval, spacing[0] / card.yarn[1].interval};
 }
 
 // Cells met along the blank's own axes, and lines of either family across the whole blank.
@@ -62,6 +68,17 @@ void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarn
         axis == 0 ? "weft" : "warp", spacing[axis], cells, 1 - axis,
         blank.coarsening[1 - axis] * cells / fewest_cells));
   }
+}
+
+// Fitted to the grips, unless the user places the lines: by fit = "none", or by a phase of his own. A blank so small
+// that the fit would leave too few cells keeps the asked spacing.
+LineLayout choose_lines(const BlankSpec& blank, const Outline& outline, const GripRegions& grips, const Vec2& asked) {
+  const LineLayout as_asked{asked, blank.phase};
+  if (blank.fit == "none" || blank.phase != Vec2{0.0, 0.0}) return as_asked;
+  const LineLayout fitted = fit_lines(outline, grips, asked);
+  std::vector<std::string> too_few;
+  check_size(blank, outline, grips.yarns, fitted.spacing, too_few);
+  return too_few.empty() ? fitted : as_asked;
 }
 
 std::vector<int> cells_per_node(const YarnNet& net, const MeshCells& cells) {
@@ -209,18 +226,19 @@ Mesh build(const Scene& scene, const Card& card) {
   if (blank.shape != "rectangle")
     complain(scene, {fmt::format("blank.shape: '{}' is not a known shape; use 'rectangle'", blank.shape)});
   const Turn yarns = turn_by_degrees(blank.yarn_angle);
-  const Vec2 spacing = model_spacing(blank, card);
+  const Vec2 asked = model_spacing(blank, card);
   const Outline outline = rectangle_outline(blank.size, yarns);
 
   std::vector<std::string> complaints;
-  check_size(blank, outline, yarns, spacing, complaints);
+  check_size(blank, outline, yarns, asked, complaints);
   // Ends on the outline are found to the net's tolerance; twice over, at the corners.
-  const double tolerance = 4e-7 * std::min(spacing[0], spacing[1]);
+  const double tolerance = 4e-7 * std::min(asked[0], asked[1]);
   const GripRegions grips = grip_regions(scene, outline, yarns, tolerance, complaints);
   if (!complaints.empty()) complain(scene, complaints);
 
   Mesh mesh;
-  YarnNet net = lay_lines(outline, spacing, blank.phase);
+  const LineLayout lines = choose_lines(blank, outline, grips, asked);
+  YarnNet net = lay_lines(outline, lines.spacing, lines.phase);
   do {
     place_ends(net, grips);
     mesh.cells = cut_cells(net, outline);
@@ -230,13 +248,13 @@ Mesh build(const Scene& scene, const Card& card) {
   share_strips(net, outline, {card.yarn[0].interval, card.yarn[1].interval});
   lay_yarns(net, card, mesh.yarns);
   place_in_world(net, blank, mesh);
-  mesh.spacing = spacing;
+  mesh.spacing = lines.spacing;
   mesh.thickness = card.thickness;
   mesh.nodes.mass.assign(net.place.size(), 0.0);
   index_crossings(net, mesh);
   collect_sets(net, grips, mesh, complaints);
   if (!complaints.empty()) complain(scene, complaints);
-  lump(mesh, card, blank.coarsening, holds(net, grips));
+  lump(mesh, card, real_coarsening(lines.spacing, card), holds(net, grips));
   return mesh;
 }
 

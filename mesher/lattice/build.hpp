@@ -7,7 +7,8 @@
 
 namespace weaveform {
 
-// Lays yarns at their interval (times the coarsening) through the blank and merges them with shear cells.
+// Lays yarns at their interval (times the coarsening, with blank.fit = "grips" shifted and stretched by up to 15 % to
+// meet the ends of the held edges: fit.hpp) through the blank and merges them with shear cells.
 // Kept exactly, at any yarn angle and coarsening: area = outline area; yarn length of each family = area / interval;
 // mass = area * area density. Throws InputError when the blank is too small for the coarsening or a grip holds no node.
 [[nodiscard]] Mesh build_mesh(const Scene& scene, const Card& card);

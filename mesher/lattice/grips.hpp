@@ -15,6 +15,7 @@ struct GripRegion {
   std::string name;
   std::vector<OutlineEdge> edge;  // yarn coordinates; empty for a box
   std::optional<Box> box;         // blank's frame
+  std::vector<Vec2> end;          // yarn coordinates; where the part of the outline it holds begins and stops
   bool rigid = true;              // holds every component; false when the grip leaves some free
 };
 
@@ -28,6 +29,12 @@ struct GripRegions {
   [[nodiscard]] int holding(const Vec2& point) const;
   // The same, boxes only: a point well inside the blank is not on an edge.
   [[nodiscard]] int box_holding(const Vec2& point) const;
+  // The first grip on an edge that takes hold of a yarn end beside that edge; -1: none. The line of the yarn (of the
+  // given family) then passes within half a spacing of the edge's end, so that the strip it stands for is half held:
+  // the last line held lies up to half a spacing inside the end or beyond it, and the border of the deforming zone is
+  // unbiased; held edges alone would leave it half a spacing inside on average. Boxes hold what lies in them, no more.
+  // `not_by`: a grip that holds the yarn's other end; across a corner the strip is not half held but held once.
+  [[nodiscard]] int holding_beside(const Vec2& yarn_end, int family, const Vec2& spacing, int not_by) const;
 };
 
 // Complaints (an edge the outline has not got) go to `complaints`.

@@ -55,13 +55,25 @@ void decide_end(YarnNet& net, const GripRegions& grips, int family, int which_li
   const double h = net.grid.spacing[family];
   const double stub = std::abs(chord.limit[side] - net.grid.at(family, chord.crossing[side]));
   const std::size_t last_crossing = net.index(family, which_line, chord.crossing[side]);
-  chord.grip[side] = grips.holding(point_on(net, family, which_line, chord.limit[side]));
   if (chord.grip[side] >= 0) {
     chord.ended[side] = stub >= shortest_held_stub * h;
     if (!chord.ended[side] && net.held[last_crossing] < 0) net.held[last_crossing] = chord.grip[side];
   } else {
     chord.ended[side] = !chord.barred[side] && stub >= shortest_free_stub * h && stub <= h + 2.0 * net.grid.tolerance;
   }
+}
+
+// The grips that hold a chord's two ends on the outline.
+void find_grips(const YarnNet& net, const GripRegions& grips, int family, int which_line, Chord& chord) {
+  std::array<Vec2, 2> end;
+  for (const Side side : {low, high}) {
+    end[side] = point_on(net, family, which_line, chord.limit[side]);
+    chord.grip[side] = grips.holding(end[side]);
+  }
+  const std::array<int, 2> on_edge = chord.grip;
+  for (const Side side : {low, high})
+    if (on_edge[side] < 0)
+      chord.grip[side] = grips.holding_beside(end[side], family, net.grid.spacing, on_edge[1 - side]);
 }
 
 void measure_chord(const Grid& grid, int family, Chord& chord) {
@@ -127,6 +139,8 @@ YarnNet lay_lines(const Outline& outline, const Vec2& spacing, const Vec2& phase
     net.line[family].resize(net.grid.size[1 - family]);
     for (int c = 0; c < net.grid.size[1 - family]; ++c) {
       for (const auto& inside : chords(outline, family, net.grid.at(1 - family, c), net.grid.tolerance)) {
+        // A line that only touches a corner; by rounding it would be in or out.
+        if (inside.to - inside.from <= 4.0 * net.grid.tolerance) continue;
         const Chord chord = make_chord(net.grid, family, inside);
         net.line[family][c].push_back(chord);
         for (int k = chord.reach[low]; k <= chord.reach[high]; ++k) {
@@ -151,6 +165,7 @@ void place_ends(YarnNet& net, const GripRegions& grips) {
         chord.ended = {};
         chord.length = 0.0;
         if (chord.crossing[high] < chord.crossing[low]) continue;
+        find_grips(net, grips, family, c, chord);
         for (const Side side : {low, high}) decide_end(net, grips, family, c, side, chord);
         measure_chord(net.grid, family, chord);
       }

@@ -25,6 +25,7 @@ struct BlankSpec {
   std::array<double, 2> coarsening = {1.0, 1.0};  // yarns per model yarn, for warp and for weft yarns
   std::array<double, 2> phase = {
       0.0, 0.0};             // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
+  std::string fit = "grips";  // "grips": spacing (within 15 %) and phase meet the ends of the gripped edges; "none"
   double orientation = 0.0;  // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
   std::array<double, 3> position = {0.0, 0.0, 0.0};  // mm; where the blank's centre lies in the world
   bool operator==(const BlankSpec&) const = default;
@@ -59,6 +60,7 @@ struct AnalysisSpec {
   double step_factor = 0.9;    // fraction of the stable step
   bool step_check = true;      // stop when the step is above the stable one
   Auto damping;                // 1/s; mass-proportional; auto: chosen from the duration
+  double yarn_viscosity = 0.06;  // 1; fraction of critical damping of the yarn elements' highest frequency
   double energy_limit = 0.05;  // the run fails when the energy-balance error passes this fraction
   double perturbation = 0.0;   // mm; random in-plane displacement of every free node at the start
   int perturbation_seed = 1;

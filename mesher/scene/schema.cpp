@@ -30,6 +30,11 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                             .limits = between(-1, 1),
                             .doc = "shift of the warp and weft lines in model intervals; 0 puts a crossing at the "
                                    "blank's centre"}),
+    key<&BlankSpec::fit>({.name = "fit",
+                          .allowed = {"grips", "none"},
+                          .doc = "`grips`: spacing (within 15 %) and phase are chosen so that yarn lines pass through "
+                                 "the ends of the gripped edges, which bound the deforming zone; `none`, or a `phase` "
+                                 "other than 0: lines exactly as written"}),
     key<&BlankSpec::orientation>({.name = "orientation",
                                   .unit = "deg",
                                   .limits = between(-360, 360),
@@ -42,9 +47,11 @@ const std::vector<Key<ModelSpec>> model_keys = {
     key<&ModelSpec::cell>(
         {.name = "cell", .allowed = {"membrane"}, .doc = "element of the shear cells (the paper's M3D4R)"}),
     key<&ModelSpec::formulation>({.name = "formulation",
-                                  .allowed = {"energy", "contravariant"},
+                                  .allowed = {"energy", "contravariant", "incremental", "side-frame"},
                                   .doc = "shear force of a cell: gradient of a stored energy, or the paper's stress "
-                                         "(Eq. 9) taken whole; equal for inextensible yarns"}),
+                                         "(Eq. 9) taken whole; equal for inextensible yarns. For comparison: the "
+                                         "paper's stress in increments (Eqs. 8-10), or that in the frame of a side; "
+                                         "what they get wrong is in docs/unit_cell.md"}),
     key<&ModelSpec::thickness>({.name = "thickness",
                                 .allowed = {"constant-volume", "constant"},
                                 .doc = "how a cell's thickness follows its area"}),
@@ -94,6 +101,12 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
                                        .unit = "mm/s",
                                        .limits = above(0),
                                        .doc = "greatest speed of any grip; an alternative to `duration`"}),
+    key<&AnalysisSpec::yarn_viscosity>(
+        {.name = "yarn_viscosity",
+         .unit = "1",
+         .limits = between(0, 1),
+         .doc = "axial viscosity of the yarns as a fraction of critical damping at their elements' highest frequency; keeps "
+                "yarns that jump between tension and slackness from making energy out of rounding noise"}),
     key<&AnalysisSpec::step_factor>(
         {.name = "step_factor", .unit = "1", .limits = above(0, 4), .doc = "fraction of the stable step"}),
     key<&AnalysisSpec::step_check>({.name = "step_check", .doc = "stop when the step is above the stable one"}),

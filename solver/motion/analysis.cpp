@@ -17,7 +17,8 @@ namespace {
 constexpr int check_interval = 500;          // steps between looks at the stable step and at wrong states
 constexpr double torn_strain = 0.5;          // a yarn never bears this; the stable step is bounded up to here
 constexpr int cells_worth_a_thread = 20000;  // below, a second thread costs more than it brings (./dev bench)
-constexpr double start_fraction = 0.1;       // of the duration; kinetic/internal is judged after it
+constexpr double start_fraction = 0.1;       // of the duration; the energy balance is judged after it
+constexpr double start_travel = 0.1;  // of the travel; kinetic/internal is judged after it (before, both are near zero)
 
 int choose_threads(int wanted, int cells) {
   if (wanted > 0) return wanted;
@@ -69,9 +70,8 @@ SolveResult Analysis::run() {
   if (!directory_.empty())
     frames_ = std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0);
   if (!options_.resume) renew_step();
-  forces_.compute(state_);
-  if (!options_.resume)
-    balance_.start = balance_.internal = internal_energy_(mesh_positions(packed_, state_), forces_.cell_work());
+  compute_forces();
+  if (!options_.resume) balance_.start = balance_.internal = stored_energy(mesh_positions(packed_, state_));
   for (;;) {
     if (state_.step % check_interval == 0) {
       if (state_.step > 0) renew_step();  // a checkpoint is left before, never after, this look
@@ -83,7 +83,7 @@ SolveResult Analysis::run() {
     move(last);
     if (row_open_) close_row();
     if (last) break;
-    forces_.compute(state_);
+    compute_forces();
     if (InterruptWatch::requested()) leave_checkpoint();
   }
   recorder_.finish();
@@ -92,7 +92,10 @@ SolveResult Analysis::run() {
 }
 
 void Analysis::renew_step() {
-  stable_ = critical_step_(mesh_positions(packed_, state_));
+  const auto position = mesh_positions(packed_, state_);
+  std::vector<double> further(terms_.empty() ? 0 : mesh_.node_count(), 0.0);
+  for (const auto& term : terms_) term->add_stiffness_bound(position, further);
+  stable_ = critical_step_(position, further);
   // viscosity of fraction xi at the highest frequency 2/step shortens the stable step to (sqrt(1 + xi^2) - xi) of it
   const double xi = scene_.analysis.yarn_viscosity;
   set_viscous_time(xi * stable_.step);
@@ -107,6 +110,29 @@ void Analysis::renew_step() {
         "step {:.4g} s is above the stable step {:.4g} s set by the {}; set analysis.step_factor to 1 or less "
         "(now {}), or analysis.step_check = false to see what happens",
         step_, stable_.step, stable_.set_by, scene_.analysis.step_factor));
+}
+
+void Analysis::compute_forces() {
+  forces_.compute(state_);
+  for (const auto& term : terms_) term->add_forces(state_, step_);
+}
+
+double Analysis::stored_energy(const std::vector<Vec3>& position) {
+  double energy = internal_energy_(position, forces_.cell_work());
+  for (const auto& term : terms_) energy += term->stored_energy();
+  return energy;
+}
+
+// Everything but the internal energy, which only output times need.
+void Analysis::close_balance(double kinetic) {
+  balance_.kinetic = kinetic;
+  balance_.external = grip_work_;
+  balance_.damping = damping_work_;
+  for (const auto& term : terms_) {
+    balance_.kinetic += term->kinetic_energy();
+    balance_.external += term->external_work();
+    balance_.damping += term->dissipated();
+  }
 }
 
 void Analysis::set_viscous_time(double beta) {
@@ -126,7 +152,7 @@ void Analysis::open_outputs() {
     frame_schedule_.advance(time);
   }
   if (row_due) {
-    balance_.internal = internal_energy_(fields_.position, forces_.cell_work());
+    balance_.internal = stored_energy(fields_.position);
     folded_ = std::max(folded_, static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true)));
     row_schedule_.advance(time);
     row_open_ = true;
@@ -144,15 +170,14 @@ void Analysis::move(bool last) {
 
   for (std::size_t g = 0; g < grips_.size(); ++g) {
     grip_force_[g] = along(outcome.grip_force[g], grips_[g].direction);
-    balance_.external +=
-        0.5 * (grip_force_before_[g] + grip_force_[g]) * (displacement_[g] - grip_displacement_before_[g]);
+    grip_work_ += 0.5 * (grip_force_before_[g] + grip_force_[g]) * (displacement_[g] - grip_displacement_before_[g]);
     grip_displacement_before_[g] = displacement_[g];
     grip_force_before_[g] = grip_force_[g];
   }
   const double damping_power = 2.0 * loading_.damping * outcome.kinetic + forces_.viscous_power();
-  balance_.damping += 0.5 * (damping_power_before_ + damping_power) * step_before_;
+  damping_work_ += 0.5 * (damping_power_before_ + damping_power) * step_before_;
   damping_power_before_ = damping_power;
-  balance_.kinetic = outcome.kinetic;
+  close_balance(outcome.kinetic);
   recorder_.add_forces(state_.time, outcome.kick, grip_force_);
   if (last) return;
   state_.time = state_.time + step >= duration_ ? duration_ : state_.time + step;
@@ -168,7 +193,9 @@ void Analysis::close_row() {
   recorder_.add_row(fields_.time, displacement_, fields_, balance_);
   if (fields_.time > start_fraction * duration_) {
     worst_error_ = std::max(worst_error_, error);
-    if (balance_.internal > 0.0) worst_ratio_ = std::max(worst_ratio_, balance_.kinetic / balance_.internal);
+    const bool under_way = smooth_step(fields_.time / duration_) > start_travel;
+    if (under_way && balance_.internal > 0.0)
+      worst_ratio_ = std::max(worst_ratio_, balance_.kinetic / balance_.internal);
     if (!(error <= scene_.analysis.energy_limit))
       fail(fmt::format(
           "the energy balance is off by {:.3g} % of the greatest energy (limit {:.3g} %): internal {:.4g}, kinetic "
@@ -232,6 +259,8 @@ std::string Analysis::identity() const {
 
 void Analysis::leave_checkpoint() {
   if (directory_.empty()) throw Interrupted("interrupted");
+  std::vector<std::vector<double>> term_memory;
+  for (const auto& term : terms_) term_memory.push_back(term->memory());
   const Checkpoint checkpoint{
       .state = state_,
       .step_before = step_before_,
@@ -245,11 +274,14 @@ void Analysis::leave_checkpoint() {
       .next_row = row_schedule_.index(),
       .next_frame = frame_schedule_.index(),
       .balance = balance_,
+      .grip_work = grip_work_,
+      .damping_work = damping_work_,
       .worst_error = worst_error_,
       .worst_ratio = worst_ratio_,
       .folded = folded_,
       .path = internal_energy_.path(),
       .cell_history = forces_.history(),
+      .term_memory = std::move(term_memory),
       .history = recorder_.history(),
       .window = recorder_.window()};
   const auto file = directory_ / "checkpoint.bin";
@@ -273,6 +305,10 @@ void Analysis::resume() {
   row_schedule_.set_index(checkpoint.next_row);
   frame_schedule_.set_index(checkpoint.next_frame);
   balance_ = checkpoint.balance;
+  grip_work_ = checkpoint.grip_work;
+  damping_work_ = checkpoint.damping_work;
+  for (std::size_t k = 0; k < terms_.size() && k < checkpoint.term_memory.size(); ++k)
+    terms_[k]->recall(checkpoint.term_memory[k]);
   worst_error_ = checkpoint.worst_error;
   worst_ratio_ = checkpoint.worst_ratio;
   folded_ = checkpoint.folded;

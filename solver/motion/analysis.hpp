@@ -10,6 +10,7 @@
 #include "solver/lattice/forces.hpp"
 #include "solver/motion/checkpoint.hpp"
 #include "solver/motion/critical_step.hpp"
+#include "solver/motion/force_term.hpp"
 #include "solver/motion/grips.hpp"
 #include "solver/motion/loading.hpp"
 #include "solver/motion/motion.hpp"
@@ -28,6 +29,9 @@ public:
 private:
   // The loop, in the order of the theory: step length, outputs due, motion, forces.
   void renew_step();
+  void compute_forces();
+  [[nodiscard]] double stored_energy(const std::vector<Vec3>& position);
+  void close_balance(double kinetic);
   void set_viscous_time(double beta);
   void open_outputs();
   void close_row();
@@ -55,6 +59,7 @@ private:
   State state_;
   std::vector<Grip> grips_;
   FabricForces forces_;
+  std::vector<std::unique_ptr<ForceTerm>> terms_;
   CriticalStep critical_step_;
   InternalEnergy internal_energy_;
   Loading loading_;
@@ -66,6 +71,7 @@ private:
   Progress progress_;
 
   EnergyBalance balance_;
+  double grip_work_ = 0.0, damping_work_ = 0.0;  // mJ
   StableStep stable_;
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
   double viscous_time_ = 0.0;                                    // s; beta of yarn.hpp

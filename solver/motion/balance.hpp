@@ -9,8 +9,8 @@ namespace weaveform {
 struct EnergyBalance {
   double internal = 0.0;  // mJ; stored in the fabric
   double kinetic = 0.0;   // mJ
-  double damping = 0.0;   // mJ; work done against mass-proportional damping
-  double external = 0.0;  // mJ; work done by the grips
+  double damping = 0.0;   // mJ; work lost to damping, viscosity and friction
+  double external = 0.0;  // mJ; work done by the grips and tools
   double start = 0.0;     // mJ; internal energy at time 0
   double greatest = 0.0;  // mJ; greatest of the four so far
 

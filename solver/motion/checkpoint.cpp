@@ -87,7 +87,7 @@ void transfer(Archive& archive, C& c) {
   for (auto* value :
        {&c.step_before, &c.step, &c.smallest_step, &c.viscous_time, &c.power_before, &c.wall_s, &c.balance.internal,
         &c.balance.kinetic, &c.balance.damping, &c.balance.external, &c.balance.start, &c.balance.greatest,
-        &c.worst_error, &c.worst_ratio, &c.path.work, &c.window.elapsed})
+        &c.grip_work, &c.damping_work, &c.worst_error, &c.worst_ratio, &c.path.work, &c.window.elapsed})
     archive(*value);
   for (auto* value : {&c.next_row, &c.next_frame, &c.folded, &c.window.row}) archive(*value);
   archive(c.force_before);
@@ -95,6 +95,7 @@ void transfer(Archive& archive, C& c) {
   archive(c.path.stress);
   archive(c.path.log_stretch);
   archive(c.cell_history);
+  archive(c.term_memory);
   archive(c.history.column);
   archive(c.history.row);
   archive(c.window.impulse);

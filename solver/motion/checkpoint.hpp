@@ -22,10 +22,12 @@ struct Checkpoint {
   double wall_s = 0.0;
   int next_row = 0, next_frame = 0;
   EnergyBalance balance;
+  double grip_work = 0.0, damping_work = 0.0;  // mJ
   double worst_error = 0.0, worst_ratio = 0.0;
   int folded = 0;
   InternalEnergy::Path path;
-  std::vector<double> cell_history;  // of formulations that have one
+  std::vector<double> cell_history;              // of formulations that have one
+  std::vector<std::vector<double>> term_memory;  // of each force term
   History history;
   Recorder::Window window;
 };

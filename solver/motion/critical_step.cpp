@@ -34,7 +34,7 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
                          mesh.yarns.softening[e] / (mesh.yarns.rest_length[e] + mesh.yarns.jaw[e]);
 }
 
-StableStep CriticalStep::operator()(const std::vector<Vec3>& position) const {
+StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std::vector<double>& further) const {
   std::vector<Matrix3d> bound(mesh_.node_count(), Matrix3d::Zero());
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     const auto [a, b] = mesh_.yarns.node[e];
@@ -44,6 +44,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position) const {
     bound[b] += (held_[a] ? 1.0 : 2.0) * stiffness;
   }
   std::vector<double> cell_rows(mesh_.node_count(), 0.0);
+  const auto further_at = [&](int n) { return further.empty() ? 0.0 : further[n]; };
   for (int c = 0; c < mesh_.cells.size(); ++c) {
     const int begin = mesh_.cells.offset[c], end = mesh_.cells.offset[c + 1];
     Vector3d g1 = Vector3d::Zero(), g2 = Vector3d::Zero();
@@ -72,15 +73,17 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position) const {
   int at = -1;
   for (int n = 0; n < mesh_.node_count(); ++n) {
     if (held_[n]) continue;
-    const double lambda = (greatest_eigenvalue(bound[n]) + cell_rows[n]) / mesh_.nodes.mass[n];
+    const double lambda = (greatest_eigenvalue(bound[n]) + cell_rows[n] + further_at(n)) / mesh_.nodes.mass[n];
     if (lambda > greatest) {
       greatest = lambda;
       at = n;
     }
   }
   const double step = greatest > 0.0 ? 2.0 / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
-  const bool cells = at >= 0 && cell_rows[at] > 0.5 * greatest * mesh_.nodes.mass[at];
-  return {step, (cells ? "shear cells at node " : "yarns at node ") + std::to_string(at)};
+  if (at < 0) return {step, "nothing"};
+  const double half = 0.5 * greatest * mesh_.nodes.mass[at];
+  const char* part = further_at(at) > half ? "bending and contact" : cell_rows[at] > half ? "shear cells" : "yarns";
+  return {step, std::string(part) + " at node " + std::to_string(at)};
 }
 
 }  // namespace weaveform

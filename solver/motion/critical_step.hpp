@@ -31,7 +31,8 @@ public:
                std::vector<char> held);
   // MPa; the stiffest tangent of each family's yarns
   [[nodiscard]] const std::array<double, 2>& stiffest() const { return stiffest_; }
-  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position) const;
+  // `further`: per mesh node, row sums of everything else that is stiff there (N/mm); may be empty.
+  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::vector<double>& further = {}) const;
 
 private:
   const Mesh& mesh_;

@@ -120,11 +120,13 @@ struct FrameWriter::Grid {
     const auto scaled = [factor](double value) { return factor * value; };
     double* next = std::transform(on_yarns.begin(), on_yarns.end(), array.GetPointer(0), scaled);
     std::transform(on_cells.begin(), on_cells.end(), next, scaled);
+    array.Modified();  // or VTK writes the first frame's range into every frame
   }
 
   static void fill(vtkDoubleArray& array, const std::vector<Vec3>& vectors) {
     double* next = array.GetPointer(0);
     for (const Vec3& v : vectors) next = std::copy(v.begin(), v.end(), next);
+    array.Modified();
   }
 
   static void set_direction(vtkFloatArray& array, vtkIdType element, const Vec3& d) {
@@ -144,6 +146,8 @@ struct FrameWriter::Grid {
       set_direction(*warp, mesh.yarn_count() + cell, fields.warp[cell]);
       set_direction(*weft, mesh.yarn_count() + cell, fields.weft[cell]);
     }
+    warp->Modified();
+    weft->Modified();
   }
 
   void fill(const Mesh& mesh, const Fields& fields) {

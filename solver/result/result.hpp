@@ -33,7 +33,7 @@ struct SolveStatistics {
   std::string step_set_by;           // which part set the step, e.g. "yarn (warp, node 123)"
   double damping_per_s = 0.0;        // mass-proportional damping used
   double energy_error = 0.0;         // greatest |internal + kinetic + damping - external| / greatest energy
-  double kinetic_to_internal = 0.0;  // greatest ratio after the first tenth of the duration
+  double kinetic_to_internal = 0.0;  // greatest ratio after the first tenth of the travel
   double damping_work_mJ = 0.0;
   double max_shear_angle_deg = 0.0;  // greatest |shear angle| in the last frame
   double max_yarn_strain = 0.0;

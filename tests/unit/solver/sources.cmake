@@ -3,4 +3,5 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/fields_test.cpp
   unit/solver/frames_test.cpp
   unit/solver/history_test.cpp
+  unit/solver/incremental_cell_test.cpp
 )

@@ -1,0 +1,99 @@
+#include "solver/unit_cell.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "solver/lattice/forces.hpp"
+#include "solver/result/fields.hpp"
+
+namespace weaveform {
+
+namespace {
+
+// An edge of the cell with the half of its yarn that belongs to the cell.
+void add_yarn(Mesh& mesh, int node0, int node1, Family family, double length, double section) {
+  mesh.yarns.node.push_back({node0, node1});
+  mesh.yarns.family.push_back(family);
+  mesh.yarns.rest_length.push_back(length);
+  mesh.yarns.section.push_back(section);
+  mesh.yarns.yarns.push_back(0.5);
+  mesh.yarns.jaw.push_back(0.0);
+  mesh.yarns.softening.push_back(1.0);
+}
+
+// Nodes counter-clockwise from the corner at the lower left, the warp along x, the centre at the origin. (The mesher
+// makes blanks of three cells and more.)
+Mesh one_cell(const Card& card, const std::array<double, 2>& sides) {
+  Mesh mesh;
+  mesh.spacing = sides;
+  mesh.lattice_size = {2, 2};
+  mesh.thickness = card.thickness;
+  const double area = sides[0] * sides[1];
+  const std::array<std::array<int, 2>, 4> corner = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  for (int a = 0; a < 4; ++a) {
+    const std::array<double, 2> at = {corner[a][0] - 0.5, corner[a][1] - 0.5};
+    mesh.nodes.position.push_back({at[0] * sides[0], at[1] * sides[1], 0.0});
+    mesh.nodes.mass.push_back(0.25 * area * card.area_density());
+    mesh.nodes.crossing.push_back(corner[a]);
+    mesh.cells.node.push_back(a);
+    mesh.cells.coefficient.push_back({at[0] / sides[0], at[1] / sides[1]});
+  }
+  mesh.cells.offset.push_back(4);
+  mesh.cells.area.push_back(area);
+  mesh.cells.lattice.push_back({0, 0});
+  const std::array<double, 2> half = {0.5 * card.yarn[0].section, 0.5 * card.yarn[1].section};
+  add_yarn(mesh, 0, 1, Family::warp, sides[0], half[0]);
+  add_yarn(mesh, 3, 2, Family::warp, sides[0], half[0]);
+  add_yarn(mesh, 0, 3, Family::weft, sides[1], half[1]);
+  add_yarn(mesh, 1, 2, Family::weft, sides[1], half[1]);
+  return mesh;
+}
+
+struct YarnDirections {
+  std::array<double, 2> warp, weft;  // 1
+};
+
+// Unit yarn directions of the trellis: the warp turned by +gamma/2, the weft by -gamma/2, both by `turn`.
+YarnDirections trellis(double gamma, double turn) {
+  return {{std::cos(turn + 0.5 * gamma), std::sin(turn + 0.5 * gamma)},
+          {-std::sin(turn - 0.5 * gamma), std::cos(turn - 0.5 * gamma)}};
+}
+
+// Their derivative by gamma at fixed turn.
+YarnDirections trellis_rate(double gamma, double turn) {
+  return {{-0.5 * std::sin(turn + 0.5 * gamma), 0.5 * std::cos(turn + 0.5 * gamma)},
+          {0.5 * std::cos(turn - 0.5 * gamma), 0.5 * std::sin(turn - 0.5 * gamma)}};
+}
+
+// A flat node carried along by the yarns: x = X_1 g1 + X_2 g2.
+double carried(const std::array<double, 3>& flat, const YarnDirections& g, int component) {
+  return flat[0] * g.warp[component] + flat[1] * g.weft[component];
+}
+
+}  // namespace
+
+std::vector<UnitCellPoint> shear_unit_cell(const Card& card, const ModelSpec& model, const std::array<double, 2>& sides,
+                                           const UnitCellMotion& motion) {
+  const Mesh mesh = one_cell(card, sides);
+  const PackedMesh packed = pack_mesh(mesh);
+  State state = initial_state(packed, mesh);
+  FabricForces fabric(packed, card, yarn_laws(card, model), model, state, 1);
+  std::vector<UnitCellPoint> points;
+  points.reserve(static_cast<std::size_t>(motion.increments));
+  for (int n = 1; n <= motion.increments; ++n) {
+    const double part = static_cast<double>(n) / motion.increments;
+    const double gamma = part * motion.angle, turn = part * motion.rotation;
+    const YarnDirections g = trellis(gamma, turn), rate = trellis_rate(gamma, turn);
+    for (int a = 0; a < 4; ++a)
+      for (int c = 0; c < 2; ++c) state.position[c][packed.packed_of_mesh[a]] = carried(mesh.nodes.position[a], g, c);
+    fabric.compute(state);
+    double power = 0.0;  // N mm per rad
+    for (int a = 0; a < 4; ++a)
+      for (int c = 0; c < 2; ++c)
+        power -= state.force[c][packed.packed_of_mesh[a]] * carried(mesh.nodes.position[a], rate, c);
+    points.push_back({gamma, power / (mesh.cells.area[0] * std::cos(gamma))});
+  }
+  return points;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,2 @@
+set(LONG_SOURCES
+)

@@ -1,0 +1,138 @@
+// What the documents say is run: every line of a ```sh block in README.md and docs/*.md that calls weaveform must exit
+// with 0, or with the code its trailing comment names ("# exit 2"). "# not run" at the end of a line leaves it out. All
+// lines of one document run in order in one folder, in which `examples` is the project's. Lines calling ./dev are only
+// checked for the command's existence, for they would build and test all over again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "mesher/scene/reader.hpp"
+#include "tests/support/run_command.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using weaveform::test::read_text;
+using weaveform::test::run_command;
+using weaveform::test::TemporaryFolder;
+
+struct DocLine {
+  int number = 0;
+  std::string command;
+  int exit_code = 0;
+  bool left_out = false;
+};
+
+std::vector<fs::path> documents() {
+  const fs::path root = WEAVEFORM_SOURCE_DIR;
+  std::vector<fs::path> found = {root / "README.md"};
+  for (const auto& entry : fs::directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+DocLine parsed(int number, const std::string& line) {
+  static const std::regex expected_exit(R"(#.*\bexit (\d+))");
+  static const std::regex left_out(R"(#.*\bnot run\b)");
+  std::smatch match;
+  DocLine result{number, line, 0, std::regex_search(line, left_out)};
+  if (std::regex_search(line, match, expected_exit)) result.exit_code = std::stoi(match[1].str());
+  return result;
+}
+
+// Lines of the document's sh blocks, with lines continued by a backslash joined.
+std::vector<DocLine> shell_lines(const fs::path& document) {
+  std::ifstream file(document);
+  std::vector<DocLine> lines;
+  std::string joined;
+  bool inside = false;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.starts_with("```")) {
+      inside = line == "```sh";
+      continue;
+    }
+    if (!inside) continue;
+    joined += line;
+    if (joined.ends_with('\\')) {
+      joined.back() = ' ';
+      continue;
+    }
+    if (!joined.empty()) lines.push_back(parsed(number, joined));
+    joined.clear();
+  }
+  return lines;
+}
+
+// "weaveform ..." when the line calls the program by either of its names, else "".
+std::string program_call(const std::string& line) {
+  for (const std::string name : {"build/bin/weaveform ", "weaveform "})
+    if (line.starts_with(name)) return "weaveform " + line.substr(name.size());
+  return "";
+}
+
+class Document : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Document, CommandsExitAsItSays) {
+  const TemporaryFolder folder;
+  fs::create_directory_symlink(fs::path(WEAVEFORM_SOURCE_DIR) / "examples", folder.path() / "examples");
+  for (const auto& line : shell_lines(GetParam())) {
+    const std::string call = program_call(line.command);
+    if (call.empty() || line.left_out) continue;
+    const auto result = run_command(call, folder.path());
+    EXPECT_EQ(result.exit_code, line.exit_code)
+        << GetParam().filename().string() << ":" << line.number << ": " << line.command << "\n"
+        << result.err;
+  }
+}
+
+TEST_P(Document, DevCommandsExist) {
+  const auto help = run_command("'" WEAVEFORM_SOURCE_DIR "/dev' help", "/");
+  ASSERT_EQ(help.exit_code, 0) << help.err;
+  static const std::regex call(R"(^\./dev (\w+))");
+  for (const auto& line : shell_lines(GetParam())) {
+    std::smatch match;
+    if (!std::regex_search(line.command, match, call)) continue;
+    EXPECT_NE(help.out.find("\n  " + match[1].str() + " "), std::string::npos)
+        << GetParam().filename().string() << ":" << line.number << ": ./dev help does not list " << match[1].str();
+  }
+}
+
+// A document's only links into the project that can rot are relative ones.
+TEST_P(Document, RelativeLinksLeadSomewhere) {
+  static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
+  const std::string text = read_text(GetParam());
+  for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match)
+    EXPECT_TRUE(fs::exists(GetParam().parent_path() / (*match)[1].str()))
+        << GetParam().filename().string() << " links to " << (*match)[1].str();
+}
+
+INSTANTIATE_TEST_SUITE_P(Docs, Document, testing::ValuesIn(documents()), [](const auto& instance) {
+  std::string name = instance.param.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+});
+
+TEST(SceneReference, IsTheOneTheProgramPrints) {
+  EXPECT_EQ(read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "docs" / "scene.md"), weaveform::scene_reference_markdown())
+      << "docs/scene.md is generated: run ./dev docs";
+}
+
+TEST(Readme, ShowsTheTwoCommands) {
+  const auto lines = shell_lines(fs::path(WEAVEFORM_SOURCE_DIR) / "README.md");
+  const auto has = [&](const std::string& command) {
+    return std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return line.command.starts_with(command); });
+  };
+  EXPECT_TRUE(has("./dev run"));
+  EXPECT_TRUE(has("./dev test"));
+}
+
+}  // namespace

@@ -1,0 +1,141 @@
+// The exit codes of the program and what it says with them (README.md, "Exit codes").
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/support/run_command.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using weaveform::test::CommandResult;
+using weaveform::test::run_command;
+using weaveform::test::TemporaryFolder;
+using weaveform::test::tiny_scene;
+using weaveform::test::write_text;
+
+class ExitCodes : public testing::Test {
+protected:
+  void SetUp() override { write_text(tiny_scene(), folder_.path() / "tiny.toml"); }
+
+  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
+
+private:
+  TemporaryFolder folder_;
+};
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(ExitCodes, HelpAndVersionAreNoErrors) {
+  EXPECT_EQ(run("weaveform --help").exit_code, 0);
+  EXPECT_EQ(run("weaveform run --help").exit_code, 0);
+  const auto version = run("weaveform --version");
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_TRUE(version.out.starts_with("weaveform ")) << version.out;
+  EXPECT_TRUE(says(version.out, "commit")) << version.out;
+}
+
+TEST_F(ExitCodes, WrongUsageIsWrongInput) {
+  for (const std::string command :
+       {"weaveform", "weaveform nonsense", "weaveform run", "weaveform run tiny.toml --nonsense",
+        "weaveform run tiny.toml --threads many", "weaveform run tiny.toml --threads -1"}) {
+    const auto result = run(command);
+    EXPECT_EQ(result.exit_code, 2) << command;
+    EXPECT_TRUE(result.err.starts_with("error: ")) << command << ": " << result.err;
+    EXPECT_EQ(result.out, "") << command;
+  }
+}
+
+TEST_F(ExitCodes, MisspeltKeyIsShownWithItsPlaceAndTheNearestName) {
+  write_text("[blank]\nsise = [115.0, 230.0]\n", file("wrong.toml"));
+  const auto result = run("weaveform check wrong.toml");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(says(result.err, "wrong.toml:2:1")) << result.err;
+  EXPECT_TRUE(says(result.err, "size")) << result.err;
+}
+
+TEST_F(ExitCodes, AllComplaintsComeAtOnceEachOnItsLine) {
+  write_text(tiny_scene() + "colour = 1\n\n[analysis]\nstep_factor = \"fast\"\n\n[model]\nyarn = \"rope\"\n",
+             file("wrong.toml"));
+  const auto result = run("weaveform run wrong.toml --output out");
+  EXPECT_EQ(result.exit_code, 2);
+  for (const std::string word : {"colour", "step_factor", "rope"})
+    EXPECT_TRUE(says(result.err, word)) << word << result.err;
+  EXPECT_FALSE(fs::exists(file("out"))) << "a wrong scene must leave nothing behind";
+}
+
+TEST_F(ExitCodes, WrongOverrideNamesItsKey) {
+  const auto result = run("weaveform check tiny.toml --set blank.sise=3");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(says(result.err, "--set blank.sise")) << result.err;
+}
+
+TEST_F(ExitCodes, OverridesMayStandBeforeTheScene) {
+  const auto result = run("weaveform check --set grip.top.travel=7.5 --set 'blank.size=[115,240]' tiny.toml");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(says(result.out, "travel = 7.5")) << result.out;
+}
+
+TEST_F(ExitCodes, CheckedSceneReadsBackTheSame) {
+  const auto first =
+      run("weaveform check tiny.toml > complete.toml && weaveform check complete.toml > again.toml && "
+          "cmp complete.toml again.toml");
+  EXPECT_EQ(first.exit_code, 0) << first.out << first.err;
+}
+
+TEST_F(ExitCodes, MissingFilesAreFileTrouble) {
+  EXPECT_EQ(run("weaveform run absent.toml").exit_code, 4);
+  EXPECT_EQ(run("weaveform solve absent").exit_code, 4);
+  EXPECT_EQ(run("weaveform post absent").exit_code, 4);
+}
+
+TEST_F(ExitCodes, UnwritableOutputIsFileTrouble) {
+  write_text("", file("in_the_way"));
+  for (const std::string output : {"in_the_way", "in_the_way/below"}) {
+    const auto result = run("weaveform mesh tiny.toml --output " + output);
+    EXPECT_EQ(result.exit_code, 4) << output << ": " << result.err;
+    EXPECT_TRUE(says(result.err, "in_the_way")) << result.err;
+  }
+}
+
+TEST_F(ExitCodes, FullStandardOutputIsFileTrouble) {
+  EXPECT_EQ(run("weaveform check tiny.toml > /dev/full").exit_code, 4);
+}
+
+// A file-size limit of 0 lets nothing be written, as a full disk does. The signal that comes with it is ignored, so
+// that the program meets the failed write itself.
+TEST_F(ExitCodes, FullDiskIsFileTroubleAndLeavesNoHalfFile) {
+  const auto result =
+      run("trap '' XFSZ; ( ulimit -f 0; '" WEAVEFORM_BINARY "' mesh tiny.toml --output out ) >/dev/null 2>&1");
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_TRUE(fs::is_empty(file("out"))) << "a file that could not be written whole was left behind";
+}
+
+// Four times the stable step of yarns that are stiff from the start, unchecked: central differences must blow up.
+TEST_F(ExitCodes, UnstableStepIsFailedPhysics) {
+  const auto result =
+      run("weaveform run tiny.toml --output out --quiet --set model.yarn_law=linear --set analysis.step_factor=4 "
+          "--set analysis.step_check=false");
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_TRUE(result.err.starts_with("error: ")) << result.err;
+  EXPECT_FALSE(fs::exists(file("out/summary.json"))) << "a failed run must not look finished";
+}
+
+TEST_F(ExitCodes, QuietRunPrintsNothing) {
+  const auto result = run("weaveform run tiny.toml --output out --quiet");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST_F(ExitCodes, LogNamesProgramAndEveryValue) {
+  const auto result = run("weaveform mesh tiny.toml --output out");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(result.err.starts_with("weaveform ")) << result.err;
+  EXPECT_TRUE(says(result.err, "step_factor")) << "defaults belong to the log";
+}
+
+}  // namespace

@@ -1,0 +1,3 @@
+set(VERIFY_SOURCES
+  verify/unit_cell_test.cpp
+)
