@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 #include "app/console.hpp"
 #include "app/result_folder.hpp"
 #include "app/version.hpp"
@@ -23,10 +27,20 @@ Model build_model(const fs::path& scene_file, const std::vector<std::string>& ov
   return model;
 }
 
-std::string describe(const Mesh& mesh) {
-  return fmt::format(
+std::string describe(const Model& model) {
+  const Mesh& mesh = model.mesh;
+  std::string line = fmt::format(
       "mesh: {} cells, {} yarn elements, {} nodes; spacing {:.4g} mm along the warp, {:.4g} mm along the weft",
       mesh.cells.size(), mesh.yarn_count(), mesh.node_count(), mesh.spacing[0], mesh.spacing[1]);
+  // The spacing along one family is that of the other family's lines.
+  const std::array<double, 2>& asked = model.scene.blank.coarsening;
+  const std::array<double, 2> real = {mesh.spacing[1] / model.card.yarn[0].interval,
+                                      mesh.spacing[0] / model.card.yarn[1].interval};
+  const auto differs = [&](std::size_t f) { return std::abs(real[f] - asked[f]) > 1e-9 * asked[f]; };
+  if (differs(0) || differs(1))
+    line += fmt::format("; fitted to the grips: coarsening {:.4g} (warp), {:.4g} (weft) instead of {:.4g}, {:.4g}",
+                        real[0], real[1], asked[0], asked[1]);
+  return line;
 }
 
 void log_start(const std::string& command, const Scene& scene) {

@@ -23,8 +23,9 @@ struct Model {
 // Reads the scene with its overrides, its card, and builds the mesh. Throws InputError, FileError.
 [[nodiscard]] Model build_model(const std::filesystem::path& scene_file, const std::vector<std::string>& overrides);
 
-// One line: how many cells, yarn elements and nodes, and at what spacing.
-[[nodiscard]] std::string describe(const Mesh& mesh);
+// One line: how many cells, yarn elements and nodes, and at what spacing; with the coarsening that comes to where the
+// lattice was fitted to the grips.
+[[nodiscard]] std::string describe(const Model& model);
 
 // Logs program, command and every value of the scene, so that the log alone can be run again.
 void log_start(const std::string& command, const Scene& scene);

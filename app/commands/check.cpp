@@ -14,7 +14,7 @@ void add_check_command(CLI::App& program) {
   add_scene_arguments(*command, *arguments);
   command->callback([arguments] {
     const Model model = build_model(arguments->scene, arguments->overrides);
-    print_answer("# " + describe(model.mesh) + "\n" + scene_to_toml(model.scene));
+    print_answer("# " + describe(model) + "\n" + scene_to_toml(model.scene));
   });
 }
 

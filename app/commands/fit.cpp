@@ -25,8 +25,8 @@ void fit(const FitArguments& arguments) {
   if (arguments.keys) return print_answer(identify::fit_reference_markdown());
   if (arguments.file.empty()) throw InputError("FIT is required; 'weaveform fit --help' tells more");
   const std::filesystem::path file = arguments.file;
-  const std::filesystem::path directory =
-      arguments.output.empty() ? std::filesystem::path("results") / file.stem() : std::filesystem::path(arguments.output);
+  const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / file.stem()
+                                                                   : std::filesystem::path(arguments.output);
   const auto found = identify::identify(identify::read_fit(file));
   if (!arguments.quiet) {
     for (const auto& warning : found.warnings) log_line("warning: " + warning);

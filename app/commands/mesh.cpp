@@ -23,7 +23,7 @@ void make_mesh(const MeshArguments& arguments) {
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("mesh", model.scene);
   write_model(model, directory);
-  if (!arguments.quiet) print_answer(describe(model.mesh));
+  if (!arguments.quiet) print_answer(describe(model));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void run(const RunArguments& arguments) {
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.solve.quiet) {
     log_start("run", model.scene);
-    log_line(describe(model.mesh));
+    log_line(describe(model));
   }
   if (arguments.solve.resume)
     require_same_scene(model.scene, directory);

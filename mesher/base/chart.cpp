@@ -181,6 +181,48 @@ std::string sample_of(const ChartSeries& series, int colour) {
                      colour_at(colour), dash);
 }
 
+// The two axes, wide enough for everything on the chart.
+std::array<Scale, 2> scales_of(const Chart& chart) {
+  const Scale as_x{chart.x.scale}, as_y{chart.y.scale};
+  Extent x, y;
+  for (const auto& band : chart.bands) {
+    x.hold(band.x, as_x);
+    y.hold(band.low, as_y);
+    y.hold(band.high, as_y);
+  }
+  for (const auto& series : chart.series) {
+    x.hold(series.x, as_x);
+    y.hold(series.y, as_y);
+  }
+  return {scale_of(chart.x, x, left, chart.width - right), scale_of(chart.y, y, chart.height - bottom, top)};
+}
+
+struct Drawing {
+  std::string shapes, legend;
+};
+
+Drawing draw(const Chart& chart, const Scale& sx, const Scale& sy) {
+  Drawing drawing;
+  int next = 0, row = 0;
+  const auto colour_for = [&next](int colour) { return colour >= 0 ? colour : next++; };
+  const auto explain = [&](const std::string& label, const std::string& sample) {
+    if (!label.empty()) drawing.legend += legend_entry(label, sample, row++);
+  };
+  for (const auto& band : chart.bands) {
+    const int colour = colour_for(band.colour);
+    drawing.shapes += band_shape(band, colour, sx, sy);
+    explain(band.label,
+            fmt::format("<rect x=\"0\" y=\"-6\" width=\"26\" height=\"12\" fill=\"{}\" fill-opacity=\"0.18\"/>",
+                        colour_at(colour)));
+  }
+  for (const auto& series : chart.series) {
+    const int colour = colour_for(series.colour);
+    drawing.shapes += series_shape(series, colour, sx, sy);
+    explain(series.label, sample_of(series, colour));
+  }
+  return drawing;
+}
+
 }  // namespace
 
 std::vector<double> chart_ticks(double from, double to, AxisScale scale, int wanted) {
@@ -201,19 +243,8 @@ std::vector<double> chart_ticks(double from, double to, AxisScale scale, int wan
 }
 
 std::string to_svg(const Chart& chart) {
-  Extent extent_x, extent_y;
-  const Scale as_x{chart.x.scale}, as_y{chart.y.scale};
-  for (const auto& band : chart.bands) {
-    extent_x.hold(band.x, as_x);
-    extent_y.hold(band.low, as_y);
-    extent_y.hold(band.high, as_y);
-  }
-  for (const auto& series : chart.series) {
-    extent_x.hold(series.x, as_x);
-    extent_y.hold(series.y, as_y);
-  }
-  const Scale sx = scale_of(chart.x, extent_x, left, chart.width - right);
-  const Scale sy = scale_of(chart.y, extent_y, chart.height - bottom, top);
+  const auto [sx, sy] = scales_of(chart);
+  const Drawing drawing = draw(chart, sx, sy);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"sans-serif\" font-size=\"13\">\n<style>.grid{{stroke:#d8d8d8;stroke-width:1}}</style>\n"
@@ -221,30 +252,13 @@ std::string to_svg(const Chart& chart) {
       "<text x=\"{2:.2f}\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{3}</text>\n",
       chart.width, chart.height, left, escaped(chart.title));
   svg += x_axis(chart.x, sx, sy) + y_axis(chart.y, sy, sx);
+  const std::string plot = fmt::format("x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"", sx.begin, sy.end,
+                                       sx.end - sx.begin, sy.begin - sy.end);
   svg += fmt::format(
-      "<clipPath id=\"plot\"><rect x=\"{0:.2f}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"{3:.2f}\"/>"
-      "</clipPath>\n<g clip-path=\"url(#plot)\">\n",
-      sx.begin, sy.end, sx.end - sx.begin, sy.begin - sy.end);
-  int next = 0, row = 0;
-  std::string legend;
-  const auto colour_for = [&next](int colour) { return colour >= 0 ? colour : next++; };
-  for (const auto& band : chart.bands) {
-    const int colour = colour_for(band.colour);
-    svg += band_shape(band, colour, sx, sy);
-    const auto sample = fmt::format(
-        "<rect x=\"0\" y=\"-6\" width=\"26\" height=\"12\" fill=\"{}\" fill-opacity=\"0.18\"/>", colour_at(colour));
-    if (!band.label.empty()) legend += legend_entry(band.label, sample, row++);
-  }
-  for (const auto& series : chart.series) {
-    const int colour = colour_for(series.colour);
-    svg += series_shape(series, colour, sx, sy);
-    if (!series.label.empty()) legend += legend_entry(series.label, sample_of(series, colour), row++);
-  }
-  svg += fmt::format(
-      "</g>\n<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" "
-      "stroke=\"#444444\"/>\n",
-      sx.begin, sy.end, sx.end - sx.begin, sy.begin - sy.end);
-  return svg + legend + "</svg>\n";
+      "<clipPath id=\"plot\"><rect {0}/></clipPath>\n<g clip-path=\"url(#plot)\">\n{1}</g>\n"
+      "<rect {0} fill=\"none\" stroke=\"#444444\"/>\n",
+      plot, drawing.shapes);
+  return svg + drawing.legend + "</svg>\n";
 }
 
 }  // namespace weaveform

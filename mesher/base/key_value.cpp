@@ -65,12 +65,6 @@ std::optional<double> number_of(const toml::node& node, const KeyRule& rule, con
   return std::nullopt;
 }
 
-bool is_identifier(std::string_view text) {
-  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
-  return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), inner);
-}
-
 std::optional<std::string> text_of(const toml::node& node, const KeyRule& rule, const std::string& wanted,
                                    Complaints& complaints) {
   const auto* text = node.as_string();
@@ -159,6 +153,12 @@ bool read_numbers(const toml::node& node, const KeyRule& rule, double* value, st
   return good;
 }
 
+bool is_identifier(std::string_view text) {
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
+  return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), inner);
+}
+
 void read_value(const toml::node& node, const KeyRule& rule, bool& value, Complaints& complaints) {
   if (const auto* flag = node.as_boolean()) {
     value = flag->get();
@@ -207,6 +207,20 @@ void read_value(const toml::node& node, const KeyRule& rule, std::vector<std::st
   value = std::move(read);
 }
 
+void read_value(const toml::node& node, const KeyRule& rule, std::vector<std::vector<double>>& value,
+                Complaints& complaints) {
+  const auto* list = node.as_array();
+  if (list == nullptr) return complain_type(node, rule, type_words(value), complaints);
+  std::vector<std::vector<double>> read;
+  for (const auto& item : *list) {
+    const auto* inner = item.as_array();
+    if (inner == nullptr) return complain_type(item, rule, type_words(value), complaints);
+    read.emplace_back(inner->size());
+    if (!read_numbers(item, rule, read.back().data(), read.back().size(), complaints)) return;
+  }
+  value = std::move(read);
+}
+
 void read_value(const toml::node& node, const KeyRule& rule, std::optional<double>& value, Complaints& complaints) {
   const auto* word = node.as_string();
   if (word != nullptr && word->get() == "auto") {
@@ -244,6 +258,13 @@ TomlText toml_text(const std::vector<std::string>& value) {
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
+TomlText toml_text(const std::vector<std::vector<double>>& value) {
+  if (value.empty()) return std::nullopt;
+  std::vector<std::string> parts;
+  for (const auto& inner : value) parts.push_back(*toml_text(inner));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
 TomlText toml_text(const std::optional<double>& value) {
   return value ? toml_text(*value) : quoted("auto");
 }
@@ -265,6 +286,9 @@ std::string type_words(const std::vector<double>&) {
 }
 std::string type_words(const std::vector<std::string>&) {
   return "a list of texts";
+}
+std::string type_words(const std::vector<std::vector<double>>&) {
+  return "a list of lists of numbers";
 }
 std::string type_words(const std::optional<double>&) {
   return "a number or \"auto\"";

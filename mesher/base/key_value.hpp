@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesher/base/toml_document.hpp"
@@ -50,6 +51,9 @@ void read_value(const toml::node& node, const KeyRule& rule, double& value, Comp
 void read_value(const toml::node& node, const KeyRule& rule, std::string& value, Complaints& complaints);
 void read_value(const toml::node& node, const KeyRule& rule, std::vector<double>& value, Complaints& complaints);
 void read_value(const toml::node& node, const KeyRule& rule, std::vector<std::string>& value, Complaints& complaints);
+// A list of lists of numbers, the inner ones of any length.
+void read_value(const toml::node& node, const KeyRule& rule, std::vector<std::vector<double>>& value,
+                Complaints& complaints);
 // A number, or the word "auto" for none.
 void read_value(const toml::node& node, const KeyRule& rule, std::optional<double>& value, Complaints& complaints);
 
@@ -61,6 +65,7 @@ using TomlText = std::optional<std::string>;
 [[nodiscard]] TomlText toml_text(const std::string& value);
 [[nodiscard]] TomlText toml_text(const std::vector<double>& value);
 [[nodiscard]] TomlText toml_text(const std::vector<std::string>& value);
+[[nodiscard]] TomlText toml_text(const std::vector<std::vector<double>>& value);  // an empty one is absent
 [[nodiscard]] TomlText toml_text(const std::optional<double>& value);
 
 // The type in the words of a message: "a number", "2 numbers", ...
@@ -70,10 +75,13 @@ using TomlText = std::optional<std::string>;
 [[nodiscard]] std::string type_words(const std::string&);
 [[nodiscard]] std::string type_words(const std::vector<double>&);
 [[nodiscard]] std::string type_words(const std::vector<std::string>&);
+[[nodiscard]] std::string type_words(const std::vector<std::vector<double>>&);
 [[nodiscard]] std::string type_words(const std::optional<double>&);
 
 // "> 0 mm", ">= 0.05 and <= 100", "one of 'a', 'b'", or "" when anything goes.
 [[nodiscard]] std::string range_words(const KeyRule& rule);
+// A letter, then letters, digits, '_' or '-'.
+[[nodiscard]] bool is_identifier(std::string_view text);
 // Complaint "'size' is text; it must be 2 numbers (mm)".
 void complain_type(const toml::node& node, const KeyRule& rule, const std::string& wanted, Complaints& complaints);
 // Reads `count` numbers, or one for all where the rule allows it; false when complained.

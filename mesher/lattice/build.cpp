@@ -11,6 +11,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/cut_cells.hpp"
 #include "mesher/lattice/fit.hpp"
+#include "mesher/lattice/frame.hpp"
 #include "mesher/lattice/grips.hpp"
 #include "mesher/lattice/lumping.hpp"
 #include "mesher/lattice/net.hpp"
@@ -231,13 +232,14 @@ Mesh build(const Scene& scene, const Card& card) {
 
   std::vector<std::string> complaints;
   check_size(blank, outline, yarns, asked, complaints);
+  if (scene.frame) check_frame(scene, complaints);
   // Ends on the outline are found to the net's tolerance; twice over, at the corners.
   const double tolerance = 4e-7 * std::min(asked[0], asked[1]);
   const GripRegions grips = grip_regions(scene, outline, yarns, tolerance, complaints);
   if (!complaints.empty()) complain(scene, complaints);
 
   Mesh mesh;
-  const LineLayout lines = choose_lines(blank, outline, grips, asked);
+  const LineLayout lines = scene.frame ? frame_lines(blank, asked) : choose_lines(blank, outline, grips, asked);
   YarnNet net = lay_lines(outline, lines.spacing, lines.phase);
   do {
     place_ends(net, grips);
@@ -255,6 +257,7 @@ Mesh build(const Scene& scene, const Card& card) {
   collect_sets(net, grips, mesh, complaints);
   if (!complaints.empty()) complain(scene, complaints);
   lump(mesh, card, real_coarsening(lines.spacing, card), holds(net, grips));
+  if (scene.frame) attach_frame(scene, card, mesh);
   return mesh;
 }
 

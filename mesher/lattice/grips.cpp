@@ -33,14 +33,15 @@ std::string edge_names(const Outline& outline) {
 }
 
 // The part of an outline edge inside a box of the blank's frame, as parameters along the edge; rising, or none.
-std::optional<Span> part_in_box(const OutlineEdge& edge, const Box& box, const Turn& yarns) {
-  const Vec2 from = yarns.forward(edge.from);
-  const Vec2 to = yarns.forward(edge.to);
+std::optional<Span> part_in_box(const OutlineEdge& edge, const Box& box, const GripRegions& grips) {
+  const Vec2 from = grips.yarns.forward(edge.from);
+  const Vec2 to = grips.yarns.forward(edge.to);
   Span part{0.0, 1.0};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double step = to[axis] - from[axis];
-    if (step == 0.0) {
-      if (from[axis] < box.low[axis] || from[axis] > box.high[axis]) return std::nullopt;
+    if (std::abs(step) <= grips.tolerance) {
+      if (from[axis] < box.low[axis] - grips.tolerance || from[axis] > box.high[axis] + grips.tolerance)
+        return std::nullopt;
       continue;
     }
     const double a = (box.low[axis] - from[axis]) / step;
@@ -54,14 +55,9 @@ std::optional<Span> part_in_box(const OutlineEdge& edge, const Box& box, const T
 // The pieces of the outline a grip holds; those shorter than the tolerance are corners of a neighbouring piece.
 std::vector<OutlineEdge> held_pieces(const GripRegion& region, const Outline& outline, const GripRegions& grips) {
   if (!region.box) return region.edge;
-  Box box = *region.box;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    box.low[axis] -= grips.tolerance;
-    box.high[axis] += grips.tolerance;
-  }
   std::vector<OutlineEdge> pieces;
   for (const auto& edge : outline.edge) {
-    const auto part = part_in_box(edge, box, grips.yarns);
+    const auto part = part_in_box(edge, *region.box, grips);
     if (!part) continue;
     const Vec2 along = {edge.to[0] - edge.from[0], edge.to[1] - edge.from[1]};
     if ((part->to - part->from) * std::hypot(along[0], along[1]) <= 4.0 * grips.tolerance) continue;

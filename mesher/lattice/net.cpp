@@ -51,7 +51,7 @@ Vec2 point_on(const YarnNet& net, int family, int which_line, double along) {
 
 // One end of a chord: on the outline, or at its last crossing when the stub between them is too short (the grip then
 // holds the crossing) or reaches past a crossing that was taken out.
-void decide_end(YarnNet& net, const GripRegions& grips, int family, int which_line, Side side, Chord& chord) {
+void decide_end(YarnNet& net, int family, int which_line, Side side, Chord& chord) {
   const double h = net.grid.spacing[family];
   const double stub = std::abs(chord.limit[side] - net.grid.at(family, chord.crossing[side]));
   const std::size_t last_crossing = net.index(family, which_line, chord.crossing[side]);
@@ -166,7 +166,7 @@ void place_ends(YarnNet& net, const GripRegions& grips) {
         chord.length = 0.0;
         if (chord.crossing[high] < chord.crossing[low]) continue;
         find_grips(net, grips, family, c, chord);
-        for (const Side side : {low, high}) decide_end(net, grips, family, c, side, chord);
+        for (const Side side : {low, high}) decide_end(net, family, c, side, chord);
         measure_chord(net.grid, family, chord);
       }
     }

@@ -49,10 +49,24 @@ struct MeshCells {
   [[nodiscard]] int size() const { return static_cast<int>(area.size()); }
 };
 
+// A shear frame: four pinned members around the fabric, and the yarn ends tied to them. A tied node lies on the
+// straight member between two corners at `share` of the way from the first.
+struct MeshFrame {
+  std::array<int, 4> corner = {-1, -1, -1, -1};  // nodes in order around: base, side, pulled, side; -1: no frame
+  struct Tie {
+    int node = 0;
+    std::array<int, 2> corner = {0, 0};  // nodes
+    double share = 0.0;
+  };
+  std::vector<Tie> tie;
+  [[nodiscard]] bool present() const { return corner[0] >= 0; }
+};
+
 struct Mesh {
   MeshNodes nodes;
   MeshYarns yarns;
   MeshCells cells;
+  MeshFrame frame;
   std::vector<NodeSet> sets;                   // grips by name, and "outline"
   std::array<double, 2> spacing = {0.0, 0.0};  // mm; element length along the warp (i) and along the weft (j)
   std::array<int, 2> lattice_size = {0, 0};    // crossings span 0 <= i < lattice_size[0], 0 <= j < lattice_size[1]

@@ -6,6 +6,7 @@
 
 #include "mesher/base/nearest_name.hpp"
 #include "mesher/material/card.hpp"
+#include "mesher/scene/check_tools.hpp"
 
 namespace weaveform {
 namespace {
@@ -97,6 +98,7 @@ void check_scene(const Scene& scene, const toml::table& root, Complaints& compla
   check_names(scene.measure, root, "measure", complaints);
   check_grips(scene, root, complaints);
   check_measures(scene, root, complaints);
+  check_tools(scene, root, complaints);
   const toml::table* analysis = table_at(root, "analysis", 0);
   if (analysis != nullptr && scene.analysis.duration && scene.analysis.loading_speed) {
     complaints.add(place_of(*analysis, "loading_speed"),

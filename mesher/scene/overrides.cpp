@@ -77,16 +77,35 @@ toml::table* find_element(toml::table& root, const std::string& key, const std::
   return nullptr;
 }
 
+// The table [group.NAME].
+toml::table* find_named(toml::table& root, const std::string& key, const std::string& group, const std::string& name,
+                        Complaints& complaints) {
+  toml::table* tables = root[group].as_table();
+  std::vector<std::string> names;
+  if (tables != nullptr) {
+    for (auto&& [given, node] : *tables) {
+      if (!node.is_table()) continue;
+      if (given.str() == name) return node.as_table();
+      names.emplace_back(given.str());
+    }
+  }
+  const std::string hint = names.empty() ? "; the scene has none" : did_you_mean(name, names);
+  complaints.add_override(key, fmt::format("no [{0}.{1}]{2}", group, name, hint));
+  return nullptr;
+}
+
 // The table that the key's last part belongs to; created when the file leaves it out.
 toml::table* find_place(toml::table& root, const std::string& key, Complaints& complaints) {
   const auto parts = split_at_dots(key);
   const SceneTable* table = find_table(key, parts[0], complaints);
   if (table == nullptr) return nullptr;
-  if (parts.size() != (table->many ? 3U : 2U)) {
-    complaints.add_override(key, fmt::format("write {0}.{1}KEY=VALUE", table->name, table->many ? "NAME." : ""));
+  const bool has_name = table->many || table->named;
+  if (parts.size() != (has_name ? 3U : 2U)) {
+    complaints.add_override(key, fmt::format("write {0}.{1}KEY=VALUE", table->name, has_name ? "NAME." : ""));
     return nullptr;
   }
   if (table->many) return find_element(root, key, parts[0], parts[1], complaints);
+  if (table->named) return find_named(root, key, parts[0], parts[1], complaints);
   if (!root.contains(parts[0])) root.insert(parts[0], toml::table{});
   return root[parts[0]].as_table();  // a file that has something else there is complained about when it is read
 }

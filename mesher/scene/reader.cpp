@@ -9,6 +9,7 @@
 #include "mesher/scene/check.hpp"
 #include "mesher/scene/overrides.hpp"
 #include "mesher/scene/schema.hpp"
+#include "mesher/tools/tool.hpp"
 
 namespace weaveform {
 namespace {
@@ -46,6 +47,8 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
 }
 
 Scene with_absolute_paths(Scene scene) {
+  for (ToolSpec& tool : scene.tools)
+    if (!tool.file.empty()) tool.file = std::filesystem::absolute(tool_path(tool.file, scene.file)).lexically_normal();
   if (is_builtin_card(scene.fabric.material)) return scene;
   scene.fabric.material = std::filesystem::absolute(card_path(scene.fabric.material, scene.file)).lexically_normal();
   return scene;
@@ -69,9 +72,11 @@ std::string scene_reference_markdown() {
       "Generated from the key table in `mesher/scene/schema.cpp`. A scene is a TOML file. Units: mm, s, N, MPa, tonne; "
       "angles in degrees. A whole number is accepted where a number is wanted. `\"auto\"` lets the program choose.\n\n"
       "`--set TABLE.KEY=VALUE` replaces any value from the command line; an element of a list of tables is named or "
-      "counted from 0: `--set blank.size=[100,200]`, `--set grip.top.travel=40`, `--set grip.0.travel=40`.\n";
+      "counted from 0: `--set blank.size=[100,200]`, `--set grip.top.travel=40`, `--set grip.0.travel=40`, "
+      "`--set tools.punch.travel=60`.\n";
   for (const auto& table : scene_tables()) {
-    text += table.many ? "\n## `[[" + table.name + "]]`\n\n" : "\n## `[" + table.name + "]`\n\n";
+    const std::string title = table.named ? "[" + table.name + ".NAME]" : "[" + table.name + "]";
+    text += "\n## `" + (table.many ? "[" + title + "]" : title) + "`\n\n";
     text += table.doc + "\n\n" + markdown_table(table.keys);
   }
   return text;

@@ -91,6 +91,74 @@ const std::vector<Key<GripSpec>> grip_keys = {
                           .doc = "components left free, blank frame; the others are prescribed"}),
 };
 
+const std::vector<Key<ToolSpec>> tool_keys = {
+    key<&ToolSpec::shape>(
+        {.name = "shape",
+         .allowed = {"plane", "sphere", "cylinder", "ring", "revolved", "triangles"},
+         .required = true,
+         .doc = "`plane`; `sphere` with a shank of its radius up the axis; endless `cylinder`; `ring`: a plate with a "
+                "rounded opening; `revolved`: a profile turned about the axis; `triangles`: an STL surface"}),
+    key<&ToolSpec::position>(
+        {.name = "position",
+         .unit = "mm",
+         .doc = "of the shape's origin: a point of the plane, the centre of the sphere, a point of the cylinder's axis, "
+                "the centre of the ring's face, r = z = 0 of the profile, the origin of the STL file. Left out for a "
+                "plane, sphere or ring with its axis along z: touching the flat blank at its centre, a sphere tip "
+                "first, a plane or ring by its face"}),
+    key<&ToolSpec::axis>({.name = "axis",
+                          .unit = "1",
+                          .doc = "outward normal of a plane or of a ring's face; from a sphere's centre into its shank; "
+                                 "axis of a cylinder or profile; any length but zero. Triangles do not use it"}),
+    key<&ToolSpec::radius>(
+        {.name = "radius", .unit = "mm", .limits = above(0), .doc = "of a sphere or cylinder, which need it"}),
+    key<&ToolSpec::opening_radius>(
+        {.name = "opening_radius", .unit = "mm", .limits = above(0), .doc = "of a ring, which needs it"}),
+    key<&ToolSpec::fillet_radius>(
+        {.name = "fillet_radius", .unit = "mm", .limits = at_least(0), .doc = "of the rim of a ring's opening"}),
+    key<&ToolSpec::profile>(
+        {.name = "profile",
+         .unit = "mm",
+         .doc = "of a revolved tool: corners in the half-plane (r, z) with the material on the left: [r, z] a line "
+                "leads here, [r, z, radius] a rounded corner, [r, z, cr, cz] an arc about (cr, cz) leads here; the first "
+                "and last line go on for ever beyond an end off the axis"}),
+    key<&ToolSpec::file>(
+        {.name = "file",
+         .doc = "STL surface of a tool of triangles, mm, outside counter-clockwise; relative to the scene file"}),
+    key<&ToolSpec::travel>(
+        {.name = "travel", .unit = "mm", .doc = "way along `direction` over the duration; 0 stays, or follows `force`"}),
+    key<&ToolSpec::direction>(
+        {.name = "direction",
+         .unit = "1",
+         .doc = "of travel, force and of the force recorded in history.csv; any length but zero. Left out: the axis of a "
+                "plane or ring (the way it faces), against the axis of a sphere, [0, 0, -1] for the others"}),
+    key<&ToolSpec::speed>({.name = "speed",
+                           .unit = "1",
+                           .limits = at_least(0),
+                           .doc = "points [part of the duration, relative speed], joined by straight lines and scaled so "
+                                  "that the way is `travel`; left out: smooth step"}),
+    key<&ToolSpec::force>({.name = "force",
+                           .unit = "N",
+                           .limits = at_least(0),
+                           .doc = "pushes the tool along `direction`, all of it after the first hundredth of the duration; it moves as the fabric lets it, along "
+                                  "`direction` only"}),
+    key<&ToolSpec::mass>({.name = "mass",
+                          .unit = "tonne",
+                          .limits = above(0),
+                          .doc = "of a tool pushed by a force; auto: that of the blank, which neither sets the step nor "
+                                 "lags behind it"}),
+    key<&ToolSpec::damping>(
+        {.name = "damping",
+         .unit = "1/s",
+         .limits = at_least(0),
+         .doc = "of a tool pushed by a force: viscous force on it over its mass and speed; its work is reported"}),
+    key<&ToolSpec::friction>(
+        {.name = "friction", .unit = "1", .limits = between(0, 10), .doc = "Coulomb coefficient of tool and fabric"}),
+    key<&ToolSpec::offset>({.name = "offset",
+                            .unit = "mm",
+                            .limits = at_least(0),
+                            .doc = "from the fabric's middle plane to its face; auto: half the fabric's thickness"}),
+};
+
 const std::vector<Key<AnalysisSpec>> analysis_keys = {
     key<&AnalysisSpec::duration>(
         {.name = "duration",
@@ -105,7 +173,8 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
         {.name = "yarn_viscosity",
          .unit = "1",
          .limits = between(0, 1),
-         .doc = "axial viscosity of the yarns as a fraction of critical damping at their elements' highest frequency; keeps "
+         .doc = "axial viscosity of the yarns as a fraction of critical damping at their elements' highest frequency; "
+                "keeps "
                 "yarns that jump between tension and slackness from making energy out of rounding noise"}),
     key<&AnalysisSpec::step_factor>(
         {.name = "step_factor", .unit = "1", .limits = above(0, 4), .doc = "fraction of the stable step"}),
@@ -118,12 +187,37 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
                                       .unit = "1",
                                       .limits = above(0, 1),
                                       .doc = "the run fails when the energy-balance error passes this fraction"}),
+    key<&AnalysisSpec::gravity>(
+        {.name = "gravity", .unit = "mm/s2", .doc = "acceleration of the fabric by its weight, world frame"}),
     key<&AnalysisSpec::perturbation>({.name = "perturbation",
                                       .unit = "mm",
                                       .limits = between(0, 1000),
                                       .doc = "random in-plane displacement of every free node at the start"}),
     key<&AnalysisSpec::perturbation_seed>(
         {.name = "perturbation_seed", .unit = "1", .limits = at_least(0), .doc = "same seed, same displacements"}),
+};
+
+const std::vector<Key<FrameSpec>> frame_keys = {
+    key<&FrameSpec::length>(
+        {.name = "length", .unit = "mm", .limits = above(0), .doc = "side of the frame between its pins"}),
+    key<&FrameSpec::travel>(
+        {.name = "travel",
+         .unit = "mm",
+         .doc = "of the pulled corner along the frame's diagonal, a smooth step over the duration"}),
+    key<&FrameSpec::grip>({.name = "grip", .identifier = true, .doc = "name of the pulled corner in history.csv"}),
+    key<&FrameSpec::rigid>({.name = "rigid",
+                            .doc =
+                                "members without stretch or mass, so that the travel alone moves the frame; the load "
+                                "is then the generalised force of the travel"}),
+    key<&FrameSpec::section>({.name = "section", .unit = "mm2", .limits = above(0), .doc = "of one member"}),
+    key<&FrameSpec::modulus>({.name = "modulus", .unit = "MPa", .limits = above(0), .doc = "of the members"}),
+    key<&FrameSpec::density>({.name = "density", .unit = "tonne/mm3", .limits = above(0), .doc = "of the members"}),
+    key<&FrameSpec::mass_scale>(
+        {.name = "mass_scale",
+         .unit = "1",
+         .limits = above(0),
+         .doc = "factor on the members' mass: below 1 takes their inertia out of the load, above 1 "
+                "lengthens their stable step; the mass added is in the summary"}),
 };
 
 const std::vector<Key<OutputSpec>> output_keys = {
@@ -159,6 +253,10 @@ void complain_form(const toml::node& node, const std::string& name, bool many, C
                             : "'" + name + "' is one table; begin it with [" + name + "]");
 }
 
+void complain_named(const toml::node& node, const std::string& name, Complaints& complaints) {
+  complaints.add(node, "'" + name + "' is a group of named tables; begin each with [" + name + ".NAME]");
+}
+
 template <class Spec>
 void read_one(const toml::node& node, const std::string& name, const std::vector<Key<Spec>>& keys, Spec& spec,
               bool many, Complaints& complaints) {
@@ -177,6 +275,49 @@ SceneTable one_table(const std::string& name, const std::vector<Key<Spec>>& keys
     read_one(node, name, keys, scene.*member, false, complaints);
   };
   table.write = [name, &keys](const Scene& scene) { return "\n[" + name + "]\n" + write_keys(keys, scene.*member); };
+  return table;
+}
+
+// [name.NAME]: a table of named tables, a vector of the scene in the order of the names.
+template <auto member, class Spec>
+SceneTable named_tables(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
+  SceneTable table{
+      .name = name, .many = false, .named = true, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+  table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
+    const auto* group = node.as_table();
+    if (group == nullptr) return complain_named(node, name, complaints);
+    for (const auto& [given, item] : *group) {
+      const std::string title = name + "." + std::string(given.str());
+      if (!is_identifier(given.str())) {
+        complaints.add(item, "[" + title + "]: a name begins with a letter and holds only letters, digits, '_' and '-'");
+      } else if (!item.is_table()) {
+        complain_named(item, name, complaints);
+      } else {
+        Spec& spec = (scene.*member).emplace_back();
+        spec.name = given.str();
+        read_one(item, title, keys, spec, false, complaints);
+      }
+    }
+  };
+  table.write = [name, &keys](const Scene& scene) {
+    std::string text;
+    for (const Spec& spec : scene.*member)
+      text += "\n[" + name + "." + spec.name + "]\n" + write_keys(keys, spec, Echo::given);
+    return text;
+  };
+  return table;
+}
+
+// [name] that a scene may do without.
+template <auto member, class Spec>
+SceneTable optional_table(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
+  SceneTable table{.name = name, .many = false, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+  table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
+    read_one(node, name, keys, (scene.*member).emplace(), false, complaints);
+  };
+  table.write = [name, &keys](const Scene& scene) {
+    return scene.*member ? "\n[" + name + "]\n" + write_keys(keys, *(scene.*member)) : std::string();
+  };
   return table;
 }
 
@@ -209,6 +350,13 @@ const std::vector<SceneTable>& scene_tables() {
       one_table<&Scene::blank>("blank", blank_keys, "The flat piece of fabric and how finely its yarns are modelled."),
       one_table<&Scene::model>("model", model_keys, "Elements and laws."),
       many_tables<&Scene::grip>("grip", grip_keys, "A prescribed part of the blank; as many as needed."),
+      optional_table<&Scene::frame>(
+          "frame", frame_keys,
+          "A pin-jointed shear frame around a square blank: the fabric is blank.size, its yarns run "
+          "on to the frame through arms without cross yarns. Left out: no frame."),
+      named_tables<&Scene::tools>("tools", tool_keys,
+                                  "A rigid tool; as many as needed, each with a name of its own: it heads the tool's "
+                                  "columns in history.csv and names it in `--set tools.NAME.travel=...`."),
       one_table<&Scene::analysis>("analysis", analysis_keys, "The explicit analysis."),
       one_table<&Scene::output>("output", output_keys, "What is written."),
       many_tables<&Scene::measure>("measure", measure_keys,

@@ -14,7 +14,8 @@ namespace weaveform {
 
 struct SceneTable {
   std::string name;   // "blank"
-  bool many = false;  // [[grip]]: a list of tables, each with a name
+  bool many = false;   // [[grip]]: a list of tables, each with a name
+  bool named = false;  // [tools.NAME]: a table of tables
   std::string doc;
   std::vector<KeyInfo> keys = {};
   std::function<void(const toml::node&, Scene&, Complaints&)> read = {};

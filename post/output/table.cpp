@@ -45,6 +45,9 @@ std::string run_lines(const SolveStatistics& s) {
                       percent(s.kinetic_to_internal), s.damping_work_mJ);
   text += fmt::format("        folded cells {} at the end, {} at worst; {} cells beyond the card's shear law\n",
                       s.folded_cells_at_end, s.folded_cells, s.cells_beyond_card);
+  if (!s.perturbation_returned || s.perturbation_distance_mm > 0.0)
+    text += fmt::format("        perturbed start: {} the state of the clean run, farthest node {:.3g} mm off\n",
+                        s.perturbation_returned ? "returned to" : "DID NOT RETURN to", s.perturbation_distance_mm);
   text += fmt::format("fabric  largest |shear angle| {:.2f} deg, largest yarn strain {:.3g}\n", s.max_shear_angle_deg,
                       s.max_yarn_strain);
   return text;

@@ -11,7 +11,8 @@ namespace weaveform {
 
 namespace {
 
-// Ends of the law's pieces inside (0, end), with 0 and end: between two of them the stress is smooth.
+// Ends of the law's pieces inside (0, end), with 0 and end: between two of them the stress is smooth. A friction-like
+// start, g / (g + rise), bends over its rise: intervals that grow with the distance from it.
 std::vector<double> smooth_intervals(const ShearCard& card, double end) {
   std::vector<double> knots = {0.0, end};
   for (const auto& piece : card.tangent.pieces()) {
@@ -19,6 +20,8 @@ std::vector<double> smooth_intervals(const ShearCard& card, double end) {
       if (at > 0.0 && at < end) knots.push_back(at);
     }
   }
+  if (card.start.plateau > 0.0 && card.start.rise > 0.0)
+    for (double at = card.start.rise; at < end; at *= 4.0) knots.push_back(at);
   std::sort(knots.begin(), knots.end());
   return knots;
 }

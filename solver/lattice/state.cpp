@@ -1,6 +1,24 @@
 #include "solver/lattice/state.hpp"
 
+#include <algorithm>
+
 namespace weaveform {
+
+namespace {
+
+// A node that does not exist stands with the node before it in the row, so that no block of nodes is wider than its
+// fabric (contact judges blocks as a whole).
+void place_absent(const PackedMesh& packed, State& state) {
+  std::vector<char> exists(packed.nodes, 0);
+  for (const int n : packed.packed_of_mesh) exists[n] = 1;
+  const int first = *std::min_element(packed.packed_of_mesh.begin(), packed.packed_of_mesh.end());
+  for (int n = 0, before = first; n < packed.nodes; ++n) {
+    if (exists[n] != 0) before = n;
+    for (auto& component : state.position) component[n] = component[before];
+  }
+}
+
+}  // namespace
 
 State initial_state(const PackedMesh& packed, const Mesh& mesh) {
   State state;
@@ -10,6 +28,7 @@ State initial_state(const PackedMesh& packed, const Mesh& mesh) {
     state.force[c].assign(packed.nodes, 0.0);
     for (int n = 0; n < mesh.node_count(); ++n) state.position[c][packed.packed_of_mesh[n]] = mesh.nodes.position[n][c];
   }
+  place_absent(packed, state);
   return state;
 }
 

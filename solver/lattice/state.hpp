@@ -34,7 +34,7 @@ struct State {
   long step = 0;
 };
 
-// Nodes absent from the mesh get a fixed place of their own in the lattice and never move.
+// Nodes absent from the mesh stand where the node before them in the lattice starts, and never move.
 [[nodiscard]] State initial_state(const PackedMesh& packed, const Mesh& mesh);
 [[nodiscard]] std::vector<std::array<double, 3>> mesh_positions(const PackedMesh& packed, const State& state);
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "mesher/base/error.hpp"
+#include "solver/motion/gravity.hpp"
 #include "solver/motion/interrupt.hpp"
 
 namespace weaveform {
@@ -26,10 +27,6 @@ int choose_threads(int wanted, int cells) {
   return std::clamp(cells / cells_worth_a_thread, 1, machine);
 }
 
-double along(const Vec3& force, const Vec3& direction) {
-  return force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2];
-}
-
 }  // namespace
 
 Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory,
@@ -42,6 +39,7 @@ Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::
       threads_(choose_threads(options.threads, mesh.cells.size())),
       yarn_laws_(yarn_laws(card, scene.model)),
       packed_(pack_mesh(mesh)),
+      ties_(scene.frame && !scene.frame->rigid ? std::make_unique<FrameTies>(mesh, packed_) : nullptr),
       state_(initial_state(packed_, mesh)),
       grips_(make_grips(scene, mesh, packed_)),
       forces_(packed_, card, yarn_laws_, scene.model, state_, threads_),
@@ -59,7 +57,23 @@ Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::
       grip_force_(grips_.size(), 0.0),
       grip_force_before_(grips_.size(), 0.0),
       grip_displacement_before_(grips_.size(), 0.0),
-      started_(std::chrono::steady_clock::now()) {}
+      started_(std::chrono::steady_clock::now()) {
+  if (ties_) terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh, packed_));
+  if (scene.frame)
+    recorder_.evaluate_frame({scene.frame->length, scene.blank.size[0]}, static_cast<int>(grips_.size()) - 1);
+  add_terms();
+}
+
+void Analysis::add_terms() {
+  if (scene_.analysis.gravity != Vec3{0.0, 0.0, 0.0})
+    terms_.push_back(std::make_unique<Gravity>(packed_, state_, scene_.analysis.gravity));
+  if (scene_.tools.empty()) return;
+  const double fabric_step = critical_step_(mesh_positions(packed_, state_)).step;
+  auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, threads_);
+  contact_ = contact.get();
+  terms_.push_back(std::move(contact));
+  recorder_.record_tools(scene_.tools);
+}
 
 SolveResult Analysis::run() {
   const InterruptWatch interrupt;
@@ -70,7 +84,10 @@ SolveResult Analysis::run() {
   if (!directory_.empty())
     frames_ = std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0);
   if (!options_.resume) renew_step();
-  compute_forces();
+  if (options_.resume)
+    recompute_fabric_forces();
+  else
+    compute_forces();
   if (!options_.resume) balance_.start = balance_.internal = stored_energy(mesh_positions(packed_, state_));
   for (;;) {
     if (state_.step % check_interval == 0) {
@@ -115,6 +132,14 @@ void Analysis::renew_step() {
 void Analysis::compute_forces() {
   forces_.compute(state_);
   for (const auto& term : terms_) term->add_forces(state_, step_);
+  if (ties_) ties_->give_forces(state_);
+}
+
+// After a checkpoint: the terms have moved on to this time already, and the whole force is that of the checkpoint.
+void Analysis::recompute_fabric_forces() {
+  const Components whole = state_.force;
+  forces_.compute(state_);
+  state_.force = whole;
 }
 
 double Analysis::stored_energy(const std::vector<Vec3>& position) {
@@ -166,10 +191,11 @@ void Analysis::move(bool last) {
   // the last step only tells the velocities and reactions at the end; its motion is taken back
   const Components end_position = last ? state_.position : Components{};
   const auto& outcome = motion_.advance(state_, grips_, displacement_, displacement_next_, step_before_, step);
+  if (ties_) ties_->follow(state_);
   if (last) state_.position = end_position;
 
   for (std::size_t g = 0; g < grips_.size(); ++g) {
-    grip_force_[g] = along(outcome.grip_force[g], grips_[g].direction);
+    grip_force_[g] = outcome.grip_force[g];
     grip_work_ += 0.5 * (grip_force_before_[g] + grip_force_[g]) * (displacement_[g] - grip_displacement_before_[g]);
     grip_displacement_before_[g] = displacement_[g];
     grip_force_before_[g] = grip_force_[g];
@@ -178,11 +204,16 @@ void Analysis::move(bool last) {
   damping_work_ += 0.5 * (damping_power_before_ + damping_power) * step_before_;
   damping_power_before_ = damping_power;
   close_balance(outcome.kinetic);
-  recorder_.add_forces(state_.time, outcome.kick, grip_force_);
+  recorder_.add_forces(state_.time, outcome.kick, grip_force_, tool_readings());
   if (last) return;
   state_.time = state_.time + step >= duration_ ? duration_ : state_.time + step;
   ++state_.step;
   step_before_ = step;
+}
+
+const std::vector<ToolReading>& Analysis::tool_readings() const {
+  static const std::vector<ToolReading> none;
+  return contact_ != nullptr ? contact_->readings() : none;
 }
 
 void Analysis::close_row() {
@@ -190,7 +221,7 @@ void Analysis::close_row() {
   balance_.note_greatest();
   const double error = balance_.error();
   // the row's forces follow when their window closes; this step's open the next window when it is later than that
-  recorder_.add_row(fields_.time, displacement_, fields_, balance_);
+  recorder_.add_row(fields_.time, displacement_, fields_, balance_, tool_readings());
   if (fields_.time > start_fraction * duration_) {
     worst_error_ = std::max(worst_error_, error);
     const bool under_way = smooth_step(fields_.time / duration_) > start_travel;
@@ -359,6 +390,17 @@ SolveResult Analysis::result() {
   s.folded_cells = folded_;
   s.folded_cells_at_end = static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true));
   s.threads = threads_;
+  if (contact_ != nullptr) {
+    const Contact::Cost cost = contact_->cost();
+    s.contact_penetration = cost.penetration;
+    s.friction_work_mJ = cost.friction_work;
+    s.contact_damping_work_mJ = cost.damping_work;
+    s.contact_wall_s = cost.wall_s;
+  }
+  if (scene_.frame && !scene_.frame->rigid) {
+    const auto& frame = *scene_.frame;
+    s.added_mass_t = (frame.mass_scale - 1.0) * 4.0 * frame.density * frame.section * frame.length;
+  }
   if (!directory_.empty()) {
     write_history(result.history, directory_ / "history.csv");
     write_statistics(s, directory_ / "solve.json");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesher/base/progress.hpp"
+#include "solver/contact/contact.hpp"
 #include "solver/lattice/forces.hpp"
 #include "solver/motion/checkpoint.hpp"
 #include "solver/motion/critical_step.hpp"
@@ -14,6 +15,7 @@
 #include "solver/motion/grips.hpp"
 #include "solver/motion/loading.hpp"
 #include "solver/motion/motion.hpp"
+#include "solver/motion/picture_frame.hpp"
 #include "solver/motion/recorder.hpp"
 #include "solver/motion/schedule.hpp"
 #include "solver/solve.hpp"
@@ -30,6 +32,7 @@ private:
   // The loop, in the order of the theory: step length, outputs due, motion, forces.
   void renew_step();
   void compute_forces();
+  void recompute_fabric_forces();
   [[nodiscard]] double stored_energy(const std::vector<Vec3>& position);
   void close_balance(double kinetic);
   void set_viscous_time(double beta);
@@ -37,8 +40,10 @@ private:
   void close_row();
   void move(bool last);
   void check_state();
+  [[nodiscard]] const std::vector<ToolReading>& tool_readings() const;
   [[nodiscard]] bool finished() const { return state_.time >= duration_ * (1.0 - 1e-12); }
 
+  void add_terms();
   void perturb();
   void resume();
   void leave_checkpoint();
@@ -56,10 +61,12 @@ private:
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;
+  std::unique_ptr<FrameTies> ties_;  // of a shear frame whose members deform
   State state_;
   std::vector<Grip> grips_;
   FabricForces forces_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
+  const Contact* contact_ = nullptr;  // one of the terms, when the scene has tools
   CriticalStep critical_step_;
   InternalEnergy internal_energy_;
   Loading loading_;

@@ -24,7 +24,12 @@ double greatest_eigenvalue(const Matrix3d& matrix) {
 
 CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
                            const ModelSpec& model, std::vector<char> held)
-    : mesh_(mesh), shear_(card.shear), yarn_stiffness_(mesh.yarn_count()), held_(std::move(held)) {
+    : mesh_(mesh),
+      shear_(card.shear),
+      yarn_stiffness_(mesh.yarn_count()),
+      held_(std::move(held)),
+      tied_(mesh.node_count(), 0) {
+  for (const auto& tie : mesh.frame.tie) tied_[tie.node] = 1;
   for (int f = 0; f < 2; ++f)
     // up to 50 % strain: far beyond what a yarn bears; the run stops there (see the checks of the time loop)
     stiffest_[f] =
@@ -42,6 +47,11 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
     const Matrix3d stiffness = yarn_stiffness_[e] * along * along.transpose();
     bound[a] += (held_[b] ? 1.0 : 2.0) * stiffness;
     bound[b] += (held_[a] ? 1.0 : 2.0) * stiffness;
+  }
+  // A tied end moves with its member's corners, u = (1-x) u_a + x u_b and |n.u|^2 <= (1-x)|n.u_a|^2 + x |n.u_b|^2.
+  for (const auto& tie : mesh_.frame.tie) {
+    bound[tie.corner[0]] += (1.0 - tie.share) * bound[tie.node];
+    bound[tie.corner[1]] += tie.share * bound[tie.node];
   }
   std::vector<double> cell_rows(mesh_.node_count(), 0.0);
   const auto further_at = [&](int n) { return further.empty() ? 0.0 : further[n]; };
@@ -72,7 +82,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
   double greatest = 0.0;
   int at = -1;
   for (int n = 0; n < mesh_.node_count(); ++n) {
-    if (held_[n]) continue;
+    if (held_[n] != 0 || tied_[n] != 0) continue;
     const double lambda = (greatest_eigenvalue(bound[n]) + cell_rows[n] + further_at(n)) / mesh_.nodes.mass[n];
     if (lambda > greatest) {
       greatest = lambda;

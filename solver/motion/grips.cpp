@@ -39,6 +39,11 @@ double smooth_step(double x) {
 }
 
 std::vector<Grip> make_grips(const Scene& scene, const Mesh& mesh, const PackedMesh& packed) {
+  if (scene.frame) {
+    if (!mesh.frame.present())
+      throw InputError("frame: the mesh has no shear frame; make the mesh again from this scene");
+    return make_frame_grips(*scene.frame, mesh, packed);
+  }
   std::vector<Grip> grips;
   for (const auto& spec : scene.grip) {
     const auto set =
@@ -81,9 +86,12 @@ void remember_velocities(Grip& grip, const State& state) {
     for (int c = 0; c < 3; ++c) grip.velocity_before[k][c] = state.velocity[c][grip.node[k]];
 }
 
-Vec3 apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick,
-                double drift, double& sum_change) {
-  Vec3 reaction = {0.0, 0.0, 0.0};
+double apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick,
+                  double drift, double& sum_change) {
+  double along_motion = 0.0;
+  using Corners = std::array<FrameMechanism::Place, 4>;
+  const Corners corners = grip.mechanism ? grip.mechanism->corners(to) : Corners{};
+  const Corners before = grip.mechanism ? grip.mechanism->corners(from) : Corners{};
   for (std::size_t k = 0; k < grip.node.size(); ++k) {
     const int n = grip.node[k];
     const double mass = packed.mass[n];
@@ -93,25 +101,36 @@ Vec3 apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double
       position[c] = state.position[c][n];
     }
     const Vec3 free_velocity = velocity;
-    for (const auto& axis : grip.held) {
-      const double along = dot(grip.direction, axis);
-      const double velocity_off = (to - from) * along / drift - dot(velocity, axis);
-      const double position_off = dot(grip.start[k], axis) + to * along - dot(position, axis);
-      for (int c = 0; c < 3; ++c) {
-        velocity[c] += velocity_off * axis[c];
-        position[c] += position_off * axis[c];
+    Vec3 slope = grip.direction;
+    if (grip.mechanism) {
+      const auto end = FrameMechanism::on_member(corners, grip.mechanism->point[k]);
+      const auto start = FrameMechanism::on_member(before, grip.mechanism->point[k]);
+      // the force belongs to the start of the step
+      slope = start.slope;
+      for (int c = 0; c < 3; ++c) velocity[c] = (end.position[c] - start.position[c]) / drift;
+      position = end.position;
+    } else {
+      for (const auto& axis : grip.held) {
+        const double along = dot(grip.direction, axis);
+        const double velocity_off = (to - from) * along / drift - dot(velocity, axis);
+        const double position_off = dot(grip.start[k], axis) + to * along - dot(position, axis);
+        for (int c = 0; c < 3; ++c) {
+          velocity[c] += velocity_off * axis[c];
+          position[c] += position_off * axis[c];
+        }
       }
     }
     for (int c = 0; c < 3; ++c) {
-      reaction[c] += mass * (velocity[c] - free_velocity[c]) / kick;
-      const double before = grip.velocity_before[k][c];
-      const double middle_free = 0.5 * (before + free_velocity[c]), middle = 0.5 * (before + velocity[c]);
+      along_motion += mass * (velocity[c] - free_velocity[c]) / kick * slope[c];
+      const double velocity_before = grip.velocity_before[k][c];
+      const double middle_free = 0.5 * (velocity_before + free_velocity[c]);
+      const double middle = 0.5 * (velocity_before + velocity[c]);
       sum_change += mass * (middle * middle - middle_free * middle_free);
       state.velocity[c][n] = velocity[c];
       state.position[c][n] = position[c];
     }
   }
-  return reaction;
+  return along_motion;
 }
 
 }  // namespace weaveform

@@ -2,6 +2,7 @@
 // reaction forces that this takes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "mesher/scene/scene.hpp"
 #include "solver/lattice/packed.hpp"
 #include "solver/lattice/state.hpp"
+#include "solver/motion/picture_frame.hpp"
 #include "solver/result/fields.hpp"
 
 namespace weaveform {
@@ -20,12 +22,13 @@ inline constexpr double smooth_step_greatest_slope = 1.875;
 
 struct Grip {
   std::string name;
-  std::vector<int> node;              // packed
-  std::vector<Vec3> start;            // mm; initial position of each node
-  Vec3 direction = {0, 1, 0};         // world; unit
-  std::vector<Vec3> held;             // world; unit vectors of the prescribed components
-  double travel = 0.0;                // mm
-  std::vector<Vec3> velocity_before;  // mm/s; of each node before the step at hand
+  std::vector<int> node;                    // packed
+  std::vector<Vec3> start;                  // mm; initial position of each node
+  Vec3 direction = {0, 1, 0};               // world; unit
+  std::vector<Vec3> held;                   // world; unit vectors of the prescribed components
+  double travel = 0.0;                      // mm
+  std::optional<FrameMechanism> mechanism;  // nodes follow a rigid shear frame instead of moving along `direction`
+  std::vector<Vec3> velocity_before;        // mm/s; of each node before the step at hand
   [[nodiscard]] bool holds_all() const { return held.size() == 3; }
 };
 
@@ -40,9 +43,10 @@ void remember_velocities(Grip& grip, const State& state);
 
 // Puts a grip's nodes where they belong at the end of a step, all nodes having been advanced freely. `from` and `to`
 // are the grip's displacement at both ends of the step (mm), `kick` and `drift` those of advance() (s). Returns the
-// force of the grip on the fabric (N), R = m (v - v_free) / kick, which includes the inertia of its own nodes; adds to
-// `sum_change` what the prescribed velocities change in the sum of m v0^2.
-Vec3 apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick,
-                double drift, double& sum_change);
+// force of the grip along its motion (N), the sum of R . dx/d(displacement) with R = m (v - v_free) / kick, which
+// includes the inertia of its own nodes; adds to `sum_change` what the prescribed velocities change in the sum of m
+// v0^2.
+double apply_grip(const Grip& grip, const PackedMesh& packed, State& state, double from, double to, double kick,
+                  double drift, double& sum_change);
 
 }  // namespace weaveform

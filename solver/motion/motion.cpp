@@ -12,7 +12,7 @@ Motion::Motion(const PackedMesh& packed, double damping, int threads)
       mass_(packed.nodes, 0.0) {
   for (const int n : packed.packed_of_mesh) {
     mass_[n] = packed.mass[n];
-    inverse_mass_[n] = 1.0 / packed.mass[n];
+    inverse_mass_[n] = packed.mass[n] > 0.0 ? 1.0 / packed.mass[n] : 0.0;  // tied nodes have none
   }
   for (int j = 0; j < packed.rows; ++j) {
     const Run span = packed.span(j);

@@ -16,9 +16,9 @@ public:
   Motion(const PackedMesh& packed, double damping, int threads);
 
   struct Outcome {
-    double kinetic = 0.0;          // mJ; at the time of the forces, v0 = (v- + v+)/2
-    double kick = 0.0;             // s; what the grip forces were averaged over
-    std::vector<Vec3> grip_force;  // N; of each grip on the fabric
+    double kinetic = 0.0;            // mJ; at the time of the forces, v0 = (v- + v+)/2
+    double kick = 0.0;               // s; what the grip forces were averaged over
+    std::vector<double> grip_force;  // N; of each grip along its motion
   };
   // Moves `state` from its time by `step` (s) with the forces in it; grips go from their displacement `from` to `to`
   // (mm). The reference stays valid until the next call.

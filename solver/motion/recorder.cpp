@@ -1,5 +1,7 @@
 #include "solver/motion/recorder.hpp"
 
+#include <numbers>
+
 namespace weaveform {
 
 Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, double duration, int rows)
@@ -18,23 +20,54 @@ Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, do
   window_.impulse.assign(grip_count_, 0.0);
 }
 
-void Recorder::add_forces(double time, double kick, const std::vector<double>& force) {
+void Recorder::evaluate_frame(const ShearFrame& frame, int pulled) {
+  frame_ = frame;
+  pulled_ = pulled;
+  frame_column_ = static_cast<int>(history_.column.size());
+  history_.column.insert(history_.column.end(), {"frame.shear_angle_deg", "frame.normalised_shear_force_N_per_mm"});
+}
+
+void Recorder::record_tools(const std::vector<ToolSpec>& tools) {
+  tool_count_ = static_cast<int>(tools.size());
+  tool_column_ = static_cast<int>(history_.column.size());
+  for (const auto& tool : tools)
+    for (const char* what : {".displacement_mm", ".force_N", ".contact_area_mm2"})
+      history_.column.push_back(tool.name + what);
+  window_.impulse.assign(grip_count_ + 2 * tool_count_, 0.0);
+}
+
+void Recorder::add_forces(double time, double kick, const std::vector<double>& force,
+                          const std::vector<ToolReading>& tools) {
   const bool row_exists = window_.row < static_cast<int>(history_.row.size());
   if (row_exists && time > history_.row[window_.row].front() + 0.5 * duration_ / rows_) close_window();
   window_.elapsed += kick;
   for (int g = 0; g < grip_count_; ++g) window_.impulse[g] += kick * force[g];
+  for (int t = 0; t < tool_count_; ++t) {
+    window_.impulse[grip_count_ + 2 * t] += kick * tools[t].force;
+    window_.impulse[grip_count_ + 2 * t + 1] += kick * tools[t].area;
+  }
 }
 
 void Recorder::close_window() {
-  if (window_.elapsed > 0.0 && window_.row < static_cast<int>(history_.row.size()))
-    for (int g = 0; g < grip_count_; ++g) history_.row[window_.row][2 + 2 * g] = window_.impulse[g] / window_.elapsed;
+  if (window_.elapsed > 0.0 && window_.row < static_cast<int>(history_.row.size())) {
+    auto& row = history_.row[window_.row];
+    for (int g = 0; g < grip_count_; ++g) row[2 + 2 * g] = window_.impulse[g] / window_.elapsed;
+    for (int t = 0; t < tool_count_; ++t)
+      for (int k = 0; k < 2; ++k)
+        row[tool_column_ + 3 * t + 1 + k] = window_.impulse[grip_count_ + 2 * t + k] / window_.elapsed;
+    if (frame_) {
+      const double angle = frame_shear_angle(*frame_, row[1 + 2 * pulled_]);
+      row[frame_column_] = angle * 180.0 / std::numbers::pi;
+      row[frame_column_ + 1] = normalised_shear_force(*frame_, row[2 + 2 * pulled_], angle);
+    }
+  }
   window_.elapsed = 0.0;
-  window_.impulse.assign(grip_count_, 0.0);
+  window_.impulse.assign(grip_count_ + 2 * tool_count_, 0.0);
   ++window_.row;
 }
 
 void Recorder::add_row(double time, const std::vector<double>& displacement, const Fields& fields,
-                       const EnergyBalance& balance) {
+                       const EnergyBalance& balance, const std::vector<ToolReading>& tools) {
   if (window_.row < static_cast<int>(history_.row.size())) close_window();  // steps longer than half a row
   std::vector<double> row = {time};
   for (int g = 0; g < grip_count_; ++g) {
@@ -46,6 +79,8 @@ void Recorder::add_row(double time, const std::vector<double>& displacement, con
     row.insert(row.end(), {shear.mean, shear.deviation, shear.least, shear.greatest});
   }
   row.insert(row.end(), {balance.kinetic, balance.internal, balance.external, balance.damping, balance.error()});
+  row.resize(history_.column.size(), 0.0);
+  for (int t = 0; t < tool_count_; ++t) row[tool_column_ + 3 * t] = tools[t].displacement;
   history_.row.push_back(std::move(row));
 }
 

@@ -3,8 +3,11 @@
 // instant's value.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "mesher/base/trellis.hpp"
+#include "solver/contact/tool_reading.hpp"
 #include "solver/motion/balance.hpp"
 #include "solver/motion/grips.hpp"
 #include "solver/result/probe.hpp"
@@ -16,11 +19,19 @@ class Recorder {
 public:
   Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, double duration, int rows);
 
-  // Adds the grips' forces (N, along their directions) over `kick` seconds around `time`.
-  void add_forces(double time, double kick, const std::vector<double>& force);
+  // With a shear frame, each row also says the frame's angle (Eq. 12) and the normalised shear force (Eq. 13) that the
+  // test's evaluation gives from the travel and load of grip number `pulled`.
+  void evaluate_frame(const ShearFrame& frame, int pulled);
+
+  // With tools, each row also has their displacement, and their force and contact area as means like the grips' forces.
+  void record_tools(const std::vector<ToolSpec>& tools);
+
+  // Adds the grips' forces (N, along their directions) and the tools' readings over `kick` seconds around `time`.
+  void add_forces(double time, double kick, const std::vector<double>& force,
+                  const std::vector<ToolReading>& tools = {});
   // Appends the row of `time`; its forces are filled in when their window closes.
   void add_row(double time, const std::vector<double>& displacement, const Fields& fields,
-               const EnergyBalance& balance);
+               const EnergyBalance& balance, const std::vector<ToolReading>& tools = {});
   // Closes the last window.
   void finish();
 
@@ -29,7 +40,7 @@ public:
   // What a checkpoint must keep.
   struct Window {
     double elapsed = 0.0;         // s
-    std::vector<double> impulse;  // N s
+    std::vector<double> impulse;  // N s; of the grips, then of each tool, followed by its area (mm^2 s)
     int row = 0;                  // the row this window belongs to
   };
   [[nodiscard]] const Window& window() const { return window_; }
@@ -38,9 +49,13 @@ public:
 private:
   void close_window();
   int grip_count_;
+  int tool_count_ = 0, tool_column_ = 0;
   std::vector<Probe> probes_;
   double duration_;
   int rows_;
+  std::optional<ShearFrame> frame_;
+  int pulled_ = 0;
+  int frame_column_ = 0;
   History history_;
   Window window_;
 };

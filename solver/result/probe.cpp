@@ -18,6 +18,24 @@ std::array<double, 4> box_of(const MeasureSpec& measure, const BlankSpec& blank)
   return box;
 }
 
+// A box that lies between the centres of a coarse mesh takes the cells nearest to its own centre, all that are equally
+// near, so that a coarsening study does not stop at a small box.
+void take_nearest(const std::vector<std::array<double, 2>>& centre, const std::array<double, 4>& box, const Mesh& mesh,
+                  Probe& probe) {
+  const double x = 0.5 * (box[0] + box[2]), y = 0.5 * (box[1] + box[3]);
+  const double reach = std::hypot(mesh.spacing[0], mesh.spacing[1]);
+  double nearest = reach;
+  for (const auto& c : centre) nearest = std::min(nearest, std::hypot(c[0] - x, c[1] - y));
+  if (nearest >= reach)
+    throw InputError(fmt::format("measure '{}': its box [{}, {}, {}, {}] mm lies off the blank; move it", probe.name,
+                                 box[0], box[1], box[2], box[3]));
+  for (std::size_t c = 0; c < centre.size(); ++c)
+    if (std::hypot(centre[c][0] - x, centre[c][1] - y) <= nearest + 1e-6 * reach) {
+      probe.cell.push_back(static_cast<int>(c));
+      probe.weight.push_back(mesh.cells.area[c]);
+    }
+}
+
 }  // namespace
 
 std::array<double, 2> blank_coordinates(const BlankSpec& blank, const Vec3& world) {
@@ -45,11 +63,7 @@ std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh) {
       probe.cell.push_back(c);
       probe.weight.push_back(mesh.cells.area[c]);
     }
-    if (probe.cell.empty())
-      throw InputError(
-          fmt::format("measure '{}': no cell's centre lies in its box [{}, {}, {}, {}] mm; enlarge the box or "
-                      "refine the mesh (blank.coarsening)",
-                      measure.name, box[0], box[1], box[2], box[3]));
+    if (probe.cell.empty()) take_nearest(centre, box, mesh, probe);
     probes.push_back(std::move(probe));
   }
   return probes;

@@ -26,6 +26,13 @@ void for_each_statistic(Statistics& s, Visit visit) {
   visit("folded_cells", s.folded_cells);
   visit("folded_cells_at_end", s.folded_cells_at_end);
   visit("cells_beyond_card", s.cells_beyond_card);
+  visit("added_mass_t", s.added_mass_t);
+  visit("perturbation_distance_mm", s.perturbation_distance_mm);
+  visit("perturbation_returned", s.perturbation_returned);
+  visit("contact_penetration", s.contact_penetration);
+  visit("friction_work_mJ", s.friction_work_mJ);
+  visit("contact_damping_work_mJ", s.contact_damping_work_mJ);
+  visit("contact_wall_s", s.contact_wall_s);
   visit("threads", s.threads);
 }
 

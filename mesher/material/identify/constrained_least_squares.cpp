@@ -87,7 +87,8 @@ VectorXd least_squares_above(const MatrixXd& A, const VectorXd& b, const MatrixX
   const VectorXd f = VectorXd::Unit(n + 1, n);
   const VectorXd residual = E * nonnegative_least_squares(E, f) - f;
   if (!(-residual[n] > 1e-14))
-    throw InputError("no law of this form has a positive tangent over the whole range; choose another 'form' or 'degree'");
+    throw InputError(
+        "no law of this form has a positive tangent over the whole range; choose another 'form' or 'degree'");
   const VectorXd z = -residual.head(n) / residual[n];
   return free + upper.solve(z);
 }
@@ -95,8 +96,9 @@ VectorXd least_squares_above(const MatrixXd& A, const VectorXd& b, const MatrixX
 VectorXd least_squares(const MatrixXd& A, const VectorXd& b) {
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
   if (qr.rank() < A.cols())
-    throw InputError("the measured points cannot tell the coefficients of the law apart; give more points over a wider "
-                     "range, or lower 'degree'");
+    throw InputError(
+        "the measured points cannot tell the coefficients of the law apart; give more points over a wider "
+        "range, or lower 'degree'");
   return qr.solve(b);
 }
 

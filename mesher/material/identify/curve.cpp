@@ -14,11 +14,11 @@
 namespace weaveform::identify {
 namespace {
 
-constexpr std::size_t least_points = 8;   // below, neither a slope nor its scatter can be told
-constexpr double most_missing = 0.5;      // share of rows
-constexpr double break_drop = 0.10;       // of the greatest load: more than noise, less than any broken yarn
-constexpr double loop_scatter = 0.10;     // of the greatest load, median between neighbours in displacement
-constexpr double negative_share = 0.05;   // of the greatest magnitude: an offset, not another sign
+constexpr std::size_t least_points = 8;  // below, neither a slope nor its scatter can be told
+constexpr double most_missing = 0.5;     // share of rows
+constexpr double break_drop = 0.10;      // of the greatest load: more than noise, less than any broken yarn
+constexpr double loop_scatter = 0.10;    // of the greatest load, median between neighbours in displacement
+constexpr double negative_share = 0.05;  // of the greatest magnitude: an offset, not another sign
 
 void keep_rows(Curve& curve, const std::vector<bool>& kept) {
   std::size_t end = 0;
@@ -37,9 +37,10 @@ void drop_missing(Curve& curve) {
   const auto missing = std::count(kept.begin(), kept.end(), false);
   if (missing == 0) return;
   if (static_cast<double>(missing) > most_missing * static_cast<double>(kept.size()))
-    throw InputError(fmt::format("{}: {} of {} rows have no value in one of the two columns; choose other columns or "
-                                 "another file",
-                                 curve.specimen, missing, kept.size()));
+    throw InputError(
+        fmt::format("{}: {} of {} rows have no value in one of the two columns; choose other columns or "
+                    "another file",
+                    curve.specimen, missing, kept.size()));
   keep_rows(curve, kept);
   curve.notes.push_back(fmt::format("{} rows without a value left out", missing));
 }
@@ -67,10 +68,11 @@ void refuse_loops(const Curve& curve, const Channel& x, const Channel& y) {
   // A curve of few points may rise steeply from one to the next: count only what a monotone curve could not do.
   const double rise = greatest / static_cast<double>(jumps.size());
   if (typical > loop_scatter * greatest && typical > 3.0 * rise)
-    throw InputError(fmt::format("{}: the {} jumps by {:.3g} between neighbouring values of the {}; is it a cyclic "
-                                 "test, or does one file hold several specimens? keep one loading, or name "
-                                 "'specimen_column'",
-                                 curve.specimen, y.name, typical, x.name));
+    throw InputError(
+        fmt::format("{}: the {} jumps by {:.3g} between neighbouring values of the {}; is it a cyclic "
+                    "test, or does one file hold several specimens? keep one loading, or name "
+                    "'specimen_column'",
+                    curve.specimen, y.name, typical, x.name));
 }
 
 void merge_equal(Curve& curve, const Channel& x) {
@@ -94,12 +96,14 @@ void refuse_negative(const Curve& curve, const std::vector<double>& values, cons
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   if (*least >= 0.0 || -*least <= negative_share * std::max(*greatest, -*least)) return;
   if (-*least > *greatest)
-    throw InputError(fmt::format("{}: the {} is negative, down to {:.4g}; does the machine count the other way? then "
-                                 "say {}_factor = -1",
-                                 curve.specimen, channel.name, *least, channel.name));
-  throw InputError(fmt::format("{}: the {} falls to {:.4g} while its greatest is {:.4g}; zero the channel or cut these "
-                               "rows",
-                               curve.specimen, channel.name, *least, *greatest));
+    throw InputError(
+        fmt::format("{}: the {} is negative, down to {:.4g}; does the machine count the other way? then "
+                    "say {}_factor = -1",
+                    curve.specimen, channel.name, *least, channel.name));
+  throw InputError(
+      fmt::format("{}: the {} falls to {:.4g} while its greatest is {:.4g}; zero the channel or cut these "
+                  "rows",
+                  curve.specimen, channel.name, *least, *greatest));
 }
 
 void drop_before_start(Curve& curve, const Channel& x) {
@@ -116,10 +120,10 @@ void cut_after_break(Curve& curve, const Channel& x, const Channel& y) {
   const double lowest_after = *std::min_element(peak, curve.y.end());
   if (*peak - lowest_after <= break_drop * *peak) return;
   const auto kept = static_cast<std::size_t>(peak - curve.y.begin()) + 1;
-  curve.notes.push_back(fmt::format("the {} falls from {:.4g} to {:.4g} after {} {:.4g}, as of a specimen that broke or "
-                                    "slipped; the {} rows after the greatest {} cut off",
-                                    y.name, *peak, lowest_after, x.name, curve.x[kept - 1], curve.x.size() - kept,
-                                    y.name));
+  curve.notes.push_back(
+      fmt::format("the {} falls from {:.4g} to {:.4g} after {} {:.4g}, as of a specimen that broke or "
+                  "slipped; the {} rows after the greatest {} cut off",
+                  y.name, *peak, lowest_after, x.name, curve.x[kept - 1], curve.x.size() - kept, y.name));
   curve.x.resize(kept);
   curve.y.resize(kept);
 }
@@ -136,10 +140,10 @@ void check_unit(const RawTable& table, std::size_t column, const Channel& channe
     if (column >= row->size()) continue;
     const auto named = unit_in((*row)[column], channel.quantity);
     if (named && *named != channel.unit)
-      throw InputError(fmt::format("{}: the file calls the {} '{}', but {}_unit is '{}'; which is right? say {}_unit = "
-                                   "\"{}\", or rename the column",
-                                   table.file, channel.name, (*row)[column], channel.name, channel.unit, channel.name,
-                                   *named));
+      throw InputError(
+          fmt::format("{}: the file calls the {} '{}', but {}_unit is '{}'; which is right? say {}_unit = "
+                      "\"{}\", or rename the column",
+                      table.file, channel.name, (*row)[column], channel.name, channel.unit, channel.name, *named));
   }
 }
 

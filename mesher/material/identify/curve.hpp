@@ -14,7 +14,7 @@ namespace weaveform::identify {
 // One measured quantity: which column, in which unit, and the keys of the fit file that say so.
 struct Channel {
   Quantity quantity = Quantity::length;
-  std::string name;    // "displacement", in messages and keys: name_column, name_unit, name_factor
+  std::string name;  // "displacement", in messages and keys: name_column, name_unit, name_factor
   std::string column;
   std::string unit;
   double factor = 1.0;  // of the user, on top of the unit's

@@ -152,13 +152,18 @@ void check_names(const toml::table& root, const FitSpec& spec, Complaints& compl
     complaints.add(root, "the file names no test; add [[tensile]], [[shear_frame]] or [[bias_extension]]");
 }
 
-bool rises(const std::array<double, 2>& range) { return range[0] < range[1]; }
+bool rises(const std::array<double, 2>& range) {
+  return range[0] < range[1];
+}
 
 // Whether every law of the card has a source, measured or kept.
 void check_sources(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
   for (std::size_t f = 0; f < families.size(); ++f) {
     const auto stands_for = [&](const TestSpec& test) { return test.yarn == families[f] || test.yarn == "both"; };
     const auto tests = std::count_if(spec.tensile.begin(), spec.tensile.end(), stands_for);
+    if (tests > 1)
+      complaints.add(root, fmt::format("{} [[tensile]] stand for the {} yarn; put their files into one table", tests,
+                                       families[f]));
     if (tests == 0 && spec.yarn[f].tension.empty())
       complaints.add(root, fmt::format("nothing gives the tension law of the {0} yarn; add [[tensile]] with yarn = "
                                        "\"{0}\", or a 'base' card",
@@ -169,7 +174,8 @@ void check_sources(const toml::table& root, const FitSpec& spec, Complaints& com
   if (spec.shear.from == "shear_frame" && spec.shear_frame.empty())
     complaints.add(root, "[shear] takes the law 'from' the shear frame, but there is no [[shear_frame]]; add one");
   if (spec.shear.from == "bias_extension" && spec.bias_extension.empty())
-    complaints.add(root, "[shear] takes the law 'from' the bias extension, but there is no [[bias_extension]]; add one");
+    complaints.add(root,
+                   "[shear] takes the law 'from' the bias extension, but there is no [[bias_extension]]; add one");
   if (!spec.head.thickness && !spec.has_base)
     complaints.add(root, "the file lacks 'thickness' (mm) and no base card gives it; add it, or name a 'base'");
   if ((spec.shear.angles && !rises(*spec.shear.angles)) || !rises(spec.shear.bias_angles))
@@ -178,7 +184,9 @@ void check_sources(const toml::table& root, const FitSpec& spec, Complaints& com
 
 }  // namespace
 
-FitSpec read_fit(const std::filesystem::path& file) { return read_fit_text(read_text_file(file), file.string()); }
+FitSpec read_fit(const std::filesystem::path& file) {
+  return read_fit_text(read_text_file(file), file.string());
+}
 
 FitSpec read_fit_text(const std::string& text, const std::string& name) {
   Complaints complaints(name);

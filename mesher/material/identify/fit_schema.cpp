@@ -28,8 +28,8 @@ Keys file_keys() {
                                          "skipped anyway"}),
       key<&TestSpec::specimen_column>(
           {.name = "specimen_column", .doc = "column that names the specimen of each row, for files with several"}),
-      key<&TestSpec::trust_units>({.name = "trust_units",
-                                   .doc = "true takes implausible magnitudes as they are instead of asking back"}),
+      key<&TestSpec::trust_units>(
+          {.name = "trust_units", .doc = "true takes implausible magnitudes as they are instead of asking back"}),
   };
 }
 
@@ -39,9 +39,8 @@ Keys load_keys() {
           {.name = "displacement_column", .doc = "crosshead displacement: a heading, or a column's number as text"}),
       key<&TestSpec::displacement_unit>(
           {.name = "displacement_unit", .allowed = unit_names(Quantity::length), .doc = "its unit"}),
-      key<&TestSpec::displacement_factor>({.name = "displacement_factor",
-                                           .unit = "1",
-                                           .doc = "times the column, e.g. -1, or that of a linkage"}),
+      key<&TestSpec::displacement_factor>(
+          {.name = "displacement_factor", .unit = "1", .doc = "times the column, e.g. -1, or that of a linkage"}),
       key<&TestSpec::force_column>({.name = "force_column", .doc = "load of the machine"}),
       key<&TestSpec::force_unit>({.name = "force_unit", .allowed = unit_names(Quantity::force), .doc = "its unit"}),
       key<&TestSpec::force_factor>(

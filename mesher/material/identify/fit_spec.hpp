@@ -24,10 +24,10 @@ struct FitHead {
 
 // [shear]: how the shear law is made from the tests of shear.
 struct ShearFitSpec {
-  std::string from = "auto";                        // which kind of test makes the card's law; auto: the frame if there is one
-  std::string form = "auto";                        // "polynomial", "polynomial+start", "auto"
-  int degree = 4;                                   // of the stress polynomial
-  std::optional<std::array<double, 2>> angles;      // deg; range of the frame tests that is fitted; none: what all reach
+  std::string from = "auto";  // which kind of test makes the card's law; auto: the frame if there is one
+  std::string form = "auto";  // "polynomial", "polynomial+start", "auto"
+  int degree = 4;             // of the stress polynomial
+  std::optional<std::array<double, 2>> angles;  // deg; range of the frame tests that is fitted; none: what all reach
   std::array<double, 2> bias_angles = {0.0, 45.0};  // deg; the same of the bias extensions, kinematic angles
   double angle_step = 1.0;                          // deg; of the common grid
 };
@@ -56,8 +56,8 @@ struct TestSpec {
   std::string strain = "true";  // "true" or "engineering"
   std::string stress_column;
   std::string stress_unit = "MPa";
-  std::string stress = "true";               // the law's: "true", or "nominal" (force over the unstretched section)
-  std::optional<double> gauge_length;        // mm
+  std::string stress = "true";         // the law's: "true", or "nominal" (force over the unstretched section)
+  std::optional<double> gauge_length;  // mm
   std::optional<std::array<double, 2>> elastic_range;  // 1; true strain; none: found
 
   // [[shear_frame]]
@@ -76,7 +76,7 @@ struct TestSpec {
 struct FitSpec {
   std::string file;  // where it was read from
   FitHead head;
-  Card base;               // the base card, or one without laws
+  Card base;  // the base card, or one without laws
   bool has_base = false;
   std::array<YarnFile, 2> yarn;  // base completed by the file's [yarn], [yarn.warp], [yarn.weft]
   ShearFitSpec shear;

@@ -120,9 +120,10 @@ char delimiter_of(const TableFormat& format, const std::vector<Line>& lines) {
 
 bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTable& table) {
   if (format.decimal == "comma" && delimiter == ',')
-    throw InputError(fmt::format("{}: the comma cannot be both delimiter and decimal sign; save the file with ';' "
-                                 "between columns, or correct 'delimiter' or 'decimal'",
-                                 table.file));
+    throw InputError(
+        fmt::format("{}: the comma cannot be both delimiter and decimal sign; save the file with ';' "
+                    "between columns, or correct 'delimiter' or 'decimal'",
+                    table.file));
   if (format.decimal != "auto" || delimiter == ',') return format.decimal == "comma";
   bool comma = false;
   for (const auto& row : table.cells) {
@@ -138,24 +139,27 @@ bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTabl
 void check_widths(const RawTable& table, char delimiter) {
   std::map<std::size_t, std::size_t> rows_of_width;
   for (const auto& row : table.cells) ++rows_of_width[row.size()];
-  const auto usual = std::max_element(rows_of_width.begin(), rows_of_width.end(),
-                                      [](const auto& a, const auto& b) { return a.second < b.second; })
-                         ->first;
+  const auto usual = std::max_element(rows_of_width.begin(), rows_of_width.end(), [](const auto& a, const auto& b) {
+                       return a.second < b.second;
+                     })->first;
   if (delimiter == ',' && !table.heading.empty() && usual == 2 * table.heading.size())
-    throw InputError(fmt::format("{}:{}: the rows have twice as many cells as the heading: decimal commas between "
-                                 "commas cannot be told apart; save the file with ';' between columns",
-                                 table.file, table.line.front()));
+    throw InputError(
+        fmt::format("{}:{}: the rows have twice as many cells as the heading: decimal commas between "
+                    "commas cannot be told apart; save the file with ';' between columns",
+                    table.file, table.line.front()));
   std::vector<std::string> complaints;
   for (std::size_t i = 0; i < table.cells.size() && complaints.size() < complaints_shown; ++i) {
     if (table.cells[i].size() == usual) continue;
-    complaints.push_back(fmt::format("{}:{}: the row has {} cells separated by '{}', most rows have {}; does the file "
-                                     "mix delimiters? correct the row",
-                                     table.file, table.line[i], table.cells[i].size(), delimiter, usual));
+    complaints.push_back(
+        fmt::format("{}:{}: the row has {} cell(s) separated by '{}', most rows have {}; does the file "
+                    "mix delimiters? correct the row",
+                    table.file, table.line[i], table.cells[i].size(), delimiter, usual));
   }
   if (complaints.empty() && !table.heading.empty() && table.heading.size() != usual)
-    complaints.push_back(fmt::format("{}: the heading names {} columns, the rows have {}; correct the heading, or "
-                                     "'skip_lines' if it is not the heading",
-                                     table.file, table.heading.size(), usual));
+    complaints.push_back(
+        fmt::format("{}: the heading names {} columns, the rows have {}; correct the heading, or "
+                    "'skip_lines' if it is not the heading",
+                    table.file, table.heading.size(), usual));
   if (!complaints.empty()) throw InputError(complaints);
 }
 
@@ -186,9 +190,10 @@ RawTable read_raw_table(const std::string& text, const std::string& file, const 
     table.cells.push_back(std::move(cells));
   }
   if (table.cells.empty())
-    throw InputError(fmt::format("{}: has a heading but no rows of numbers; correct 'skip_lines', 'delimiter' or the "
-                                 "file",
-                                 file));
+    throw InputError(
+        fmt::format("{}: has a heading but no rows of numbers; correct 'skip_lines', 'delimiter' or the "
+                    "file",
+                    file));
   check_widths(table, delimiter);
   table.decimal_comma = has_decimal_commas(format, delimiter, table);
   return table;
@@ -212,12 +217,13 @@ std::vector<double> numbers_of(const RawTable& table, std::size_t column) {
   std::vector<std::string> complaints;
   for (std::size_t i = 0; i < table.cells.size(); ++i) {
     const std::string& cell = table.cells[i][column];
-    const auto number = says_missing(cell) ? std::numeric_limits<double>::quiet_NaN()
-                                           : number_in(cell, table.decimal_comma);
+    const auto number =
+        says_missing(cell) ? std::numeric_limits<double>::quiet_NaN() : number_in(cell, table.decimal_comma);
     if (!number && complaints.size() < complaints_shown)
-      complaints.push_back(fmt::format("{}:{}: '{}' is not a number with a decimal {}; correct the cell, or 'decimal' "
-                                       "and 'delimiter'",
-                                       table.file, table.line[i], cell, table.decimal_comma ? "comma" : "point"));
+      complaints.push_back(
+          fmt::format("{}:{}: '{}' is not a number with a decimal {}; correct the cell, or 'decimal' "
+                      "and 'delimiter'",
+                      table.file, table.line[i], cell, table.decimal_comma ? "comma" : "point"));
     numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
   if (!complaints.empty()) throw InputError(complaints);

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t least_elastic_points = 5;
 constexpr double stress_step = 0.05, first_stress = 0.05, last_stress = 0.90;  // of the greatest stress
-constexpr double least_width = 0.25;      // of the greatest stress; narrower stretches are straight by chance
-constexpr double straightness = 0.01;     // bow over rise
+constexpr double least_width = 0.25;   // of the greatest stress; narrower stretches are straight by chance
+constexpr double straightness = 0.01;  // bow over rise
 // Yarns of any fibre lie between a soft polymer's and a pitch carbon's modulus.
 constexpr std::array<double, 2> plausible_modulus = {100.0, 1e6};  // MPa
-constexpr double greatest_strain = 0.5;  // 1; no reinforcement yarn reaches it
+constexpr double greatest_strain = 0.5;                            // 1; no reinforcement yarn reaches it
 
 struct Range {
   std::size_t from = 0, to = 0;  // [from, to)
@@ -53,9 +53,10 @@ std::size_t reaches(const std::vector<double>& stress, double level) {
 
 void fit_line(YarnSpecimen& yarn, const Range& range) {
   if (range.size() < least_elastic_points)
-    throw InputError(fmt::format("{}: only {} points in the elastic part, strain {:.4g} to {:.4g}, at least {} are "
-                                 "needed; widen 'elastic_range' or record more",
-                                 yarn.name, range.size(), yarn.elastic[0], yarn.elastic[1], least_elastic_points));
+    throw InputError(
+        fmt::format("{}: only {} points in the elastic part, strain {:.4g} to {:.4g}, at least {} are "
+                    "needed; widen 'elastic_range' or record more",
+                    yarn.name, range.size(), yarn.elastic[0], yarn.elastic[1], least_elastic_points));
   const Eigen::VectorXd e = part_of(yarn.strain, range), s = part_of(yarn.stress, range);
   const double middle = e.mean();
   Eigen::MatrixXd A(e.size(), 2);
@@ -70,10 +71,9 @@ void fit_line(YarnSpecimen& yarn, const Range& range) {
   yarn.scatter = root_mean_square(residuals);
   const double worth = effective_count(static_cast<double>(yarn.points), neighbour_correlation(residuals, 2));
   yarn.freedom = std::max(1.0, worth - 2.0);
-  // Variance of a slope, with the points worth fewer than they are.
-  const double variance = residual.squaredNorm() / yarn.freedom * (static_cast<double>(yarn.points) / worth) /
-                          (static_cast<double>(yarn.points) / worth);
-  yarn.modulus_error = std::sqrt(variance / A.col(1).squaredNorm());
+  // Variance of a slope: that of the residuals, RSS/n * worth/freedom, over the spread of the strains, and n/worth
+  // times as much because the points are worth fewer than they are.
+  yarn.modulus_error = std::sqrt(residual.squaredNorm() / yarn.freedom / A.col(1).squaredNorm());
 }
 
 void check_plausible(const YarnSpecimen& yarn, const TestSpec& test) {
@@ -85,10 +85,11 @@ void check_plausible(const YarnSpecimen& yarn, const TestSpec& test) {
     const Quantity quantity = machine ? Quantity::length : Quantity::strain;
     const std::string key = machine ? "displacement_unit" : "strain_unit";
     const std::string& unit = machine ? test.displacement_unit : test.strain_unit;
-    throw InputError(fmt::format("{}: the strain at the greatest load is {:.3g}; is {} really '{}'{}{}? if it is right, "
-                                 "say trust_units = true",
-                                 yarn.name, reach, key, unit, fitting_units(quantity, unit, fits_strain),
-                                 machine ? ", and the gauge_length right" : ""));
+    throw InputError(
+        fmt::format("{}: the strain at the greatest load is {:.3g}; is {} really '{}'{}{}? if it is right, "
+                    "say trust_units = true",
+                    yarn.name, reach, key, unit, fitting_units(quantity, unit, fits_strain),
+                    machine ? ", and the gauge_length right" : ""));
   }
   const auto fits_modulus = [&](double ratio) {
     return yarn.modulus * ratio > plausible_modulus[0] && yarn.modulus * ratio < plausible_modulus[1];
@@ -97,9 +98,10 @@ void check_plausible(const YarnSpecimen& yarn, const TestSpec& test) {
     const std::string key = machine ? "force_unit" : "stress_unit";
     const std::string& unit = machine ? test.force_unit : test.stress_unit;
     const Quantity quantity = machine ? Quantity::force : Quantity::stress;
-    throw InputError(fmt::format("{}: the modulus comes out as {:.3g} MPa, which no yarn has; is {} really '{}'{}? if it "
-                                 "is right, say trust_units = true",
-                                 yarn.name, yarn.modulus, key, unit, fitting_units(quantity, unit, fits_modulus)));
+    throw InputError(
+        fmt::format("{}: the modulus comes out as {:.3g} MPa, which no yarn has; is {} really '{}'{}? if it "
+                    "is right, say trust_units = true",
+                    yarn.name, yarn.modulus, key, unit, fitting_units(quantity, unit, fits_modulus)));
   }
 }
 
@@ -131,9 +133,10 @@ YarnSpecimen fit_specimen(const Curve& curve, const TestSpec& test, double secti
   check_plausible(yarn, test);
   // A toe is reported once it is worth more than a few points of noise.
   if (std::abs(yarn.toe) > 0.02 * yarn.strain.back())
-    yarn.notes.push_back(fmt::format("slack toe: the elastic line meets zero stress at a true strain of {:.3g}, which is "
-                                     "taken out",
-                                     yarn.toe));
+    yarn.notes.push_back(
+        fmt::format("slack toe: the elastic line meets zero stress at a true strain of {:.3g}, which is "
+                    "taken out",
+                    yarn.toe));
   return yarn;
 }
 
@@ -167,9 +170,10 @@ std::array<double, 2> elastic_part(const std::vector<double>& strain, const std:
     }
     if (straightest) return {strain[straightest->from], strain[straightest->to - 1]};
   }
-  throw InputError(fmt::format("{}: no elastic part found: no stretch of the curve is straight to 1 % over a quarter of "
-                               "the greatest stress; give 'elastic_range', or look at the curve",
-                               specimen));
+  throw InputError(
+      fmt::format("{}: no elastic part found: no stretch of the curve is straight to 1 % over a quarter of "
+                  "the greatest stress; give 'elastic_range', or look at the curve",
+                  specimen));
 }
 
 YarnFit fit_yarn(const TestSpec& test, const std::filesystem::path& fit_file, double section, double confidence) {
@@ -178,8 +182,11 @@ YarnFit fit_yarn(const TestSpec& test, const std::filesystem::path& fit_file, do
                             : Channel{Quantity::strain, "strain", test.strain_column, test.strain_unit, 1.0};
   const Channel y =
       machine ? force_channel(test) : Channel{Quantity::stress, "stress", test.stress_column, test.stress_unit, 1.0};
-  YarnFit fit{.test = test.name, .section = section, .true_stress = test.stress == "true",
-              .range_given = test.elastic_range.has_value()};
+  YarnFit fit;
+  fit.test = test.name;
+  fit.section = section;
+  fit.true_stress = test.stress == "true";
+  fit.range_given = test.elastic_range.has_value();
   std::vector<double> moduli;
   for (const auto& curve : load_curves(test, fit_file, x, y)) {
     fit.specimens.push_back(fit_specimen(curve, test, section));
@@ -189,15 +196,17 @@ YarnFit fit_yarn(const TestSpec& test, const std::filesystem::path& fit_file, do
   fit.deviation = deviation_of(moduli);
   fit.band = modulus_band(fit, confidence);
   if (fit.specimens.size() == 1)
-    fit.warnings.push_back(fmt::format("{}: one specimen only; its interval says nothing of the scatter between "
-                                       "specimens",
-                                       fit.test));
+    fit.warnings.push_back(
+        fmt::format("{}: one specimen only; its interval says nothing of the scatter between "
+                    "specimens",
+                    fit.test));
   const double middle = median_of(moduli);
   for (const auto& yarn : fit.specimens) {
     if (std::abs(yarn.modulus / middle - 1.0) > 0.2)
-      fit.warnings.push_back(fmt::format("{}: {} has {:.0f} MPa, more than a fifth off the median {:.0f} MPa of its "
-                                         "test; look at that specimen",
-                                         fit.test, yarn.name, yarn.modulus, middle));
+      fit.warnings.push_back(
+          fmt::format("{}: {} has {:.0f} MPa, more than a fifth off the median {:.0f} MPa of its "
+                      "test; look at that specimen",
+                      fit.test, yarn.name, yarn.modulus, middle));
   }
   return fit;
 }

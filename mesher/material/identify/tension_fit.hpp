@@ -12,15 +12,15 @@ namespace weaveform::identify {
 // One specimen: s = E (e - toe) by least squares over its elastic part.
 struct YarnSpecimen {
   std::string name;
-  std::vector<double> strain;                // 1; true, ln(1 + l/l0)
-  std::vector<double> stress;                // MPa; over the section the law means
+  std::vector<double> strain;                  // 1; true, ln(1 + l/l0)
+  std::vector<double> stress;                  // MPa; over the section the law means
   std::array<double, 2> elastic = {0.0, 0.0};  // 1; strains between which the line was fitted
-  std::size_t points = 0;                    // in the elastic part
-  double modulus = 0.0;                      // MPa
-  double modulus_error = 0.0;                // MPa; standard error from the residuals, correlated as they are
-  double freedom = 0.0;                      // degrees of freedom of that error
-  double toe = 0.0;                          // 1; where the line meets zero stress: the slack taken out
-  double scatter = 0.0;                      // MPa; root mean square of the residuals
+  std::size_t points = 0;                      // in the elastic part
+  double modulus = 0.0;                        // MPa
+  double modulus_error = 0.0;                  // MPa; standard error from the residuals, correlated as they are
+  double freedom = 0.0;                        // degrees of freedom of that error
+  double toe = 0.0;                            // 1; where the line meets zero stress: the slack taken out
+  double scatter = 0.0;                        // MPa; root mean square of the residuals
   std::vector<std::string> notes;
 };
 
@@ -30,8 +30,8 @@ struct YarnFit {
   bool true_stress = true;
   bool range_given = false;
   std::vector<YarnSpecimen> specimens;
-  double modulus = 0.0;                    // MPa; mean of the specimens
-  double deviation = 0.0;                  // MPa; standard deviation between them, 0 for one
+  double modulus = 0.0;                     // MPa; mean of the specimens
+  double deviation = 0.0;                   // MPa; standard deviation between them, 0 for one
   std::array<double, 2> band = {0.0, 0.0};  // MPa; confidence interval of the mean modulus
   std::vector<std::string> warnings;
 };
@@ -42,8 +42,8 @@ struct YarnFit {
                                double confidence);
 
 // The elastic part of a stress-strain curve, as strains: of all stretches that begin and end on multiples of 5 % of the
-// greatest stress, between 5 and 90 %, the widest in stress whose best parabola leaves its chord by less than 1 % of the
-// stretch's rise. Throws InputError when there is none.
+// greatest stress, between 5 and 90 %, the widest in stress whose best parabola leaves its chord by less than 1 % of
+// the stretch's rise. Throws InputError when there is none.
 [[nodiscard]] std::array<double, 2> elastic_part(const std::vector<double>& strain, const std::vector<double>& stress,
                                                  const std::string& specimen);
 

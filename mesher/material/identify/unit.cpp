@@ -8,7 +8,7 @@
 namespace weaveform::identify {
 namespace {
 
-constexpr double gram_force = 9.80665e-3;    // N; standard gravity, CGPM 1901
+constexpr double gram_force = 9.80665e-3;        // N; standard gravity, CGPM 1901
 constexpr double pound_force = 4.4482216152605;  // N
 
 }  // namespace

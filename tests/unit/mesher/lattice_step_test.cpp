@@ -23,7 +23,7 @@ double lattice_bound(const Mesh& mesh, const Animal& a, double sin_gamma) {
   std::array<double, 2> sum{};
   double mass = 0.0;
   for (std::size_t f = 0; f < 2; ++f) {
-    const double yarns = a.scene.blank.coarsening[f];
+    const double yarns = yarns_per_line(mesh, a.card)[f];
     sum[f] = 4.0 * a.card.yarn[f].linear_modulus * a.card.yarn[f].section * yarns / mesh.spacing[f];
     mass += a.card.yarn[f].linear_density * yarns * mesh.spacing[f];
   }

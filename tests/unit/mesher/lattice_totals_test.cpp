@@ -57,7 +57,7 @@ TEST(LatticeTotals, SectionIsThatOfTheYarnsAndYarnsStayNearTheCoarsening) {
       const auto f = static_cast<std::size_t>(mesh.yarns.family[e]);
       EXPECT_DOUBLE_EQ(mesh.yarns.section[e], mesh.yarns.yarns[e] * a.card.yarn[f].section) << a.name;
       // Half a strip along an edge, one and a half beside it, a little more where short stubs were dropped.
-      const double share = mesh.yarns.yarns[e] / a.scene.blank.coarsening[f];
+      const double share = mesh.yarns.yarns[e] / yarns_per_line(mesh, a.card)[f];
       EXPECT_TRUE(share > 0.49 && share < 2.2) << a.name << " element " << e << " share " << share;
     }
   }

@@ -79,7 +79,21 @@ inline Animal animal(const Card& card, double angle, const std::array<double, 2>
   return a;
 }
 
-// 2 cards x 10 angles x 7 shapes; coarsening, phase and grips take turns so that they meet every angle and shape.
+// A bias extension: yarns at 45 degrees to the pull unless said otherwise, both ends held, lattice fitted to them.
+inline Animal bias_extension(const Card& card, double width, double length, double coarsening, double angle = 45.0) {
+  Animal a;
+  a.card = card;
+  a.scene.blank.size = {width, length};
+  a.scene.blank.yarn_angle = angle;
+  a.scene.blank.coarsening = {coarsening, coarsening};
+  a.scene.grip = {grip_on("bottom"), grip_on("top")};
+  a.name = fmt::format("{} bias extension {:.5g} x {:.5g} mm, {} deg, coarsening {}", card.name, width, length, angle,
+                       coarsening);
+  return a;
+}
+
+// 2 cards x 10 angles x 7 shapes; coarsening, phase and grips take turns so that they meet every angle and shape. Then
+// the bias extensions, whose lattices are fitted to their grips.
 inline std::vector<Animal> zoo() {
   const std::array<double, 10> angle = {0.0, 45.0, 90.0, 30.0, -60.0, 15.0, 77.3, 1.0, 0.001, 135.0};
   const std::vector<std::array<double, 2>> cells = {{3.0, 3.0},  {4.5, 9.0},   {6.25, 5.5},  {16.0, 32.0},
@@ -97,7 +111,17 @@ inline std::vector<Animal> zoo() {
       }
     }
   }
+  for (const auto& card : {plain_weave(), twill()})
+    for (const double k : {4.0, 2.0, 1.0, 0.5})
+      for (const double ratio : {1.5, 1.6, 2.0, 3.0}) all.push_back(bias_extension(card, 115.0, ratio * 115.0, k));
+  for (const double turned : {20.0, 30.0, 60.0})
+    for (const double k : {4.0, 1.0}) all.push_back(bias_extension(plain_weave(), 115.0, 230.0, k, turned));
   return all;
+}
+
+// What the coarsening comes to at the spacing the lattice has; a fit to the grips moves it off the scene's.
+inline std::array<double, 2> yarns_per_line(const Mesh& mesh, const Card& card) {
+  return {mesh.spacing[1] / card.yarn[0].interval, mesh.spacing[0] / card.yarn[1].interval};
 }
 
 // The place of a node in the blank's frame, before orientation and position (which the zoo leaves at zero).

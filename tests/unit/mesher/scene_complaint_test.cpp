@@ -73,9 +73,9 @@ TEST(SceneComplaint, ValuesOutOfRangeShowTheRange) {
 }
 
 TEST(SceneComplaint, WordsMustBeAmongTheAllowed) {
-  EXPECT_EQ(
-      complaint_of("[model]\nformulation = \"enrgy\"\n"),
-      "s.toml:2:15: 'formulation' is 'enrgy'; it must be one of 'energy', 'contravariant'; did you mean 'energy'?");
+  EXPECT_EQ(complaint_of("[model]\nformulation = \"enrgy\"\n"),
+            "s.toml:2:15: 'formulation' is 'enrgy'; it must be one of 'energy', 'contravariant', 'incremental', "
+            "'side-frame'; did you mean 'energy'?");
   EXPECT_EQ(complaint_of(grip + "free = [\"x\", \"q\"]\n"),
             "s.toml:4:14: 'free' is 'q'; it must be one of 'x', 'y', 'z'"
             "; did you mean 'x'?");

@@ -34,6 +34,7 @@ Scene unusual_scene() {
                  .yarn_angle = -12.5,
                  .coarsening = {0.5, 2.25},
                  .phase = {0.25, -1.0 / 3},
+                 .fit = "none",
                  .orientation = 30,
                  .position = {1, -2, 3e-7}};
   scene.model = {.yarn = "truss",

@@ -1,10 +1,16 @@
 set(UNIT_MESHER_SOURCES
   unit/mesher/card_test.cpp
+  unit/mesher/chart_test.cpp
+  unit/mesher/identify_fit_file_test.cpp
+  unit/mesher/identify_raw_table_test.cpp
+  unit/mesher/identify_shear_test.cpp
+  unit/mesher/identify_tension_test.cpp
   unit/mesher/law_test.cpp
   unit/mesher/polynomial_test.cpp
   unit/mesher/scene_complaint_test.cpp
   unit/mesher/scene_test.cpp
   unit/mesher/lattice_cells_test.cpp
+  unit/mesher/lattice_fit_test.cpp
   unit/mesher/lattice_grips_test.cpp
   unit/mesher/lattice_outline_test.cpp
   unit/mesher/lattice_step_test.cpp

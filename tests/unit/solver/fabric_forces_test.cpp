@@ -131,7 +131,8 @@ TEST_P(FabricVariants, ForcesAreTheSameBitsForAnyNumberOfThreads) {
 
 // Homogeneous trellis motion: yarns turn by -gamma/2 and +gamma/2 without stretching.
 void shear_trellis(FabricPatch& fabric, double gamma) {
-  const auto [warp, weft] = fabric.yarn_directions();
+  const auto directions = fabric.yarn_directions();
+  const Vector3d &warp = directions[0], &weft = directions[1];
   const double half = 0.5 * gamma;
   const Vector3d turned_warp = std::cos(half) * warp + std::sin(half) * weft;
   const Vector3d turned_weft = std::sin(half) * warp + std::cos(half) * weft;
@@ -149,7 +150,9 @@ INSTANTIATE_TEST_SUITE_P(All, TrellisAngle,
                                           testing::Values(0.0, 23.0, 45.0)));
 
 TEST_P(TrellisAngle, ReturnsTheNormalisedShearForceAtEveryAngle) {
-  const auto [material, formulation, yarn_angle] = GetParam();
+  const char* material = std::get<0>(GetParam());
+  const char* formulation = std::get<1>(GetParam());
+  const double yarn_angle = std::get<2>(GetParam());
   for (const char* thickness : {"constant-volume", "constant"}) {
     FabricPatch fabric(material, yarn_angle, {60.0, 90.0}, formulation, thickness);
     for (int degrees = -70; degrees <= 70; degrees += 5) {

@@ -1,0 +1,86 @@
+// Rates of the explicit step on flat, sheared and rippled lattices, in cell-steps per second on one core (a cell-step:
+// one cell, its two yarns, one node, one step, double precision), and where the time goes: rows of yarns and cells, or
+// moving the nodes.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+
+#include "mesher/lattice/build.hpp"
+#include "mesher/material/card.hpp"
+#include "solver/lattice/forces.hpp"
+#include "solver/motion/motion.hpp"
+#include "solver/result/fields.hpp"
+
+namespace {
+
+using namespace weaveform;
+
+struct Lattice {
+  Scene scene;
+  Card card = load_card("twintex-pw");
+  Mesh mesh;
+  PackedMesh packed;
+  State state;
+
+  Lattice(int cells, const std::string& formulation, double yarn_angle) {
+    const double side = cells * card.yarn[0].interval;
+    scene.blank.size = {side, side};
+    scene.blank.yarn_angle = yarn_angle;
+    scene.blank.fit = "none";
+    scene.model.formulation = formulation;
+    mesh = build_mesh(scene, card);
+    packed = pack_mesh(mesh);
+    state = initial_state(packed, mesh);
+    // yarns in tension and in compression, cells sheared both ways, so that no branch could be cheap by luck
+    for (const int n : packed.packed_of_mesh) {
+      state.position[0][n] += 0.6 * std::sin(0.05 * state.position[1][n]);
+      state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
+      state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
+    }
+  }
+};
+
+enum Part { whole_step, forces_only, motion_only };
+
+void run(benchmark::State& bench, const std::string& formulation, double yarn_angle, Part part) {
+  Lattice lattice(static_cast<int>(bench.range(0)), formulation, yarn_angle);
+  FabricForces forces(lattice.packed, lattice.card, yarn_laws(lattice.card, lattice.scene.model), lattice.scene.model,
+                      lattice.state, 1);
+  Motion motion(lattice.packed, 1.0, 1);
+  std::vector<Grip> no_grips;
+  const std::vector<double> none;
+  constexpr double step = 1e-7;  // s; well below the stable step
+  forces.compute(lattice.state);
+  for ([[maybe_unused]] auto _ : bench) {
+    if (part != motion_only) forces.compute(lattice.state);
+    if (part != forces_only) motion.advance(lattice.state, no_grips, none, none, step, step);
+  }
+  bench.counters["cell-steps/s"] =
+      benchmark::Counter(static_cast<double>(lattice.mesh.cells.size()), benchmark::Counter::kIsIterationInvariantRate);
+  bench.counters["cells"] = lattice.mesh.cells.size();
+  bench.counters["loose cells"] = lattice.packed.loose_cells.size();
+}
+
+}  // namespace
+
+BENCHMARK_CAPTURE(run, step, "energy", 0.0, whole_step)->Arg(100)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, forces, "energy", 0.0, forces_only)
+    ->Arg(100)
+    ->Arg(400)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, motion, "energy", 0.0, motion_only)
+    ->Arg(100)
+    ->Arg(400)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, contravariant_step, "contravariant", 0.0, whole_step)->Arg(400)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, incremental_step, "incremental", 0.0, whole_step)->Arg(400)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, cut_at_45_deg_step, "energy", 45.0, whole_step)
+    ->Arg(30)
+    ->Arg(100)
+    ->Arg(400)
+    ->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();

@@ -1,0 +1,42 @@
+// Rigid tools as the scene describes them, made ready: shape, place, direction.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesher/scene/scene.hpp"
+#include "mesher/tools/distance.hpp"
+#include "mesher/tools/triangles.hpp"
+
+namespace weaveform {
+
+enum class ToolShape { plane, sphere, cylinder, ring, revolved, triangles };
+
+struct Tool {
+  std::string name;
+  ToolShape shape = ToolShape::plane;
+  double radius = 0.0;         // mm; sphere, cylinder; of a ring's opening
+  double fillet_radius = 0.0;  // mm; ring
+  Profile profile;
+  std::shared_ptr<const TriangleSurface> surface;
+  Placement start;                                    // where it is at time 0
+  std::array<double, 3> direction = {0.0, 0.0, -1.0};  // unit; of its motion
+  double friction = 0.0;                              // 1
+  double offset = 0.0;                                // mm; from the fabric's middle plane to its face
+};
+
+// The scene's tools in its order. `thickness` of the fabric (mm) gives the offsets left open. Throws InputError when a
+// profile or surface is none, FileError when a file cannot be read.
+[[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, double thickness);
+
+// Signed distances of up to points_at_a_time points from the tool standing at `place`. `hint` holds one number a point,
+// kept from call to call by whoever cares for speed (triangles only; any value gives the same distance).
+void tool_distances(const Tool& tool, const Placement& place, const Coordinates& x, int count, int* hint,
+                    Distances& out);
+
+// Where make_tools looks for a tool's file.
+[[nodiscard]] std::filesystem::path tool_path(const std::string& path, const std::filesystem::path& scene_file);
+
+}  // namespace weaveform

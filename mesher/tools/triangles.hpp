@@ -1,0 +1,46 @@
+// A tool from CAD: a surface of triangles, its outside where their vertices run counter-clockwise. Closest points are
+// exact (to rounding), found through a tree of bounding boxes.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace weaveform {
+
+struct TriangleList {
+  std::vector<std::array<double, 3>> point;  // mm
+  std::vector<std::array<int, 3>> triangle;
+};
+
+// Text or binary STL; equal points become one. Throws FileError when the file cannot be read, InputError when it holds
+// no surface.
+[[nodiscard]] TriangleList read_stl(const std::filesystem::path& file);
+
+struct SurfaceDistance {
+  double distance;               // mm; negative inside
+  std::array<double, 3> normal;  // unit; outward, from the closest point of the surface to the point (or back, inside)
+  int triangle;                  // the closest
+};
+
+class TriangleSurface {
+public:
+  // Throws InputError, beginning with `where`, when there is no triangle or neighbours do not turn the same way.
+  TriangleSurface(const TriangleList& list, const std::string& where);
+  ~TriangleSurface();
+  TriangleSurface(const TriangleSurface&) = delete;
+  TriangleSurface& operator=(const TriangleSurface&) = delete;
+
+  // `hint` is a triangle likely to be near, such as the answer a step ago; it saves time and changes no distance.
+  // Inside or outside follows from the angle-weighted pseudo-normal of the closest face, edge or vertex (Baerentzen and
+  // Aanaes 2005, "Signed distance computation using the angle weighted pseudonormal"), right for every closed surface.
+  [[nodiscard]] SurfaceDistance distance(const std::array<double, 3>& point, int hint = 0) const;
+  [[nodiscard]] int size() const;
+
+private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace weaveform

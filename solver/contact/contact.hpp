@@ -1,0 +1,106 @@
+// Contact of the fabric's nodes, on both faces, with the scene's rigid tools.
+//
+// Stiffness and step. Every node has k = omega^2 m with omega^2 a small share of the fabric's own greatest omega^2, so
+// that k is a fixed part of m/step^2: stiff enough for penetrations of a few per cent of the thickness, yet together
+// with its damping worth only some per cent of the step (add_stiffness_bound says exactly how much). A tool pushed by a
+// force has the blank's mass unless the scene says otherwise: heavy enough that the many springs on it do not set the
+// step, light enough to follow at hundreds of times the speed of any forming process.
+//
+// Culling. Nodes go in blocks; for each block and tool a clearance is kept that the block cannot have used up yet: the
+// least gap when last measured less the greatest way of its nodes and of the tool since. A distance changes no faster
+// than points move, so a block with clearance left touches nothing, and nothing more is computed.
+//
+// Blocks are summed in order: the same bits for any number of threads.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/mesh/mesh.hpp"
+#include "mesher/scene/scene.hpp"
+#include "mesher/tools/tool.hpp"
+#include "solver/contact/contact_kernel.hpp"
+#include "solver/contact/tool_motion.hpp"
+#include "solver/contact/tool_reading.hpp"
+#include "solver/lattice/packed.hpp"
+#include "solver/motion/force_term.hpp"
+
+namespace weaveform {
+
+class Contact : public ForceTerm {
+public:
+  // `duration` of the tools' travel (s); `fabric_step` is the stable step of the fabric alone (s). Throws InputError
+  // when the fabric starts inside a tool, or a pushed tool is too light for the step.
+  Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
+          double fabric_step, int threads);
+
+  [[nodiscard]] std::string name() const override { return "contact"; }
+  // Moves the tools to state.time first. Throws PhysicsError when a tool moves more than a cell in a step or a node
+  // has gone through a tool's surface by more than the fabric's thickness.
+  void add_forces(State& state, double step) override;
+  [[nodiscard]] double stored_energy() const override;
+  [[nodiscard]] double kinetic_energy() const override;
+  [[nodiscard]] double dissipated() const override;
+  [[nodiscard]] double external_work() const override;
+  void add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const override;
+  [[nodiscard]] std::vector<double> memory() const override;
+  void recall(const std::vector<double>& memory) override;
+
+  // Of each tool in the scene's order, at the time of the last add_forces.
+  [[nodiscard]] const std::vector<ToolReading>& readings() const { return readings_; }
+
+  struct Cost {
+    double penetration = 0.0;    // 1; greatest so far, as a fraction of the fabric's thickness
+    double friction_work = 0.0;  // mJ
+    double damping_work = 0.0;   // mJ; normal and tangential contact damping and the guides of pushed tools
+    double wall_s = 0.0;         // spent in add_forces
+  };
+  [[nodiscard]] Cost cost() const;
+
+private:
+  // A tool with what contact knows of it.
+  struct Partner {
+    Partner(Tool its_tool, ToolMotion its_motion) : tool(std::move(its_tool)), motion(std::move(its_motion)) {}
+    Tool tool;
+    ToolMotion motion;
+    ContactLaw law;
+    Components anchor;              // mm; tool's frame
+    std::vector<double> clearance;  // mm; per block, > 0 where nothing can touch
+    std::vector<char> measured;     // per block, in the last add_forces
+    std::vector<ContactSums> sums;  // per block, valid where measured
+    std::vector<double> depth;      // mm; per block, greatest penetration, valid where measured
+    std::vector<int> hint;          // per node, of triangles
+    Vec3 force = {0.0, 0.0, 0.0};   // N; on the fabric
+    double area = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0, deepest = 0.0;
+    [[nodiscard]] double reaction() const;  // N; force along the direction
+    [[nodiscard]] Placement place() const;
+  };
+  Partner make_partner(const Tool& tool, const ToolSpec& spec, double duration, const State& start) const;
+  void refuse_penetration(const State& start) const;
+  void move_tools(double time, double step);
+  void treat_block(int block, State& state, double step);
+  void sum_blocks(Partner& partner, double reaction_before);
+  void read_instruments();
+  void check(const Partner& partner, const State& state) const;
+  [[nodiscard]] ContactNodes block_nodes(int block, Partner& partner, State& state) const;
+  [[nodiscard]] int block_count() const;
+
+  const PackedMesh& packed_;
+  int threads_;
+  double thickness_;       // mm
+  double least_spacing_;   // mm
+  double frequency_;       // 1/s; omega of the contact
+  double fabric_frequency_;  // 1/s; the fabric's greatest
+  double blank_mass_ = 0.0;  // tonne
+  Doubles mass_;           // tonne; 0 where no node is
+  Doubles area_;           // mm^2; of the fabric around each node
+  std::vector<int> mesh_of_packed_;
+  std::vector<Partner> partners_;
+  std::vector<ToolReading> readings_;
+  bool started_ = false;
+  double time_before_ = 0.0;   // s
+  double greatest_depth_ = 0.0;  // mm
+  double wall_s_ = 0.0;
+};
+
+}  // namespace weaveform

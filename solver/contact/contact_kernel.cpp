@@ -1,0 +1,140 @@
+// Compiled for the machine's own instruction set; includes nothing whose inline code other files share.
+#include "solver/contact/contact_kernel.hpp"
+
+#include <cmath>
+
+namespace weaveform {
+namespace {
+
+constexpr int lanes = 8;  // of fixed partial sums, so that the order of additions is the same on every machine
+static_assert(points_at_a_time % lanes == 0);
+
+struct Contribution {
+  double force[3], area, energy, friction_work, damping_work;
+};
+
+// One node and one tool: the law of the header. `d` is the way from the anchor, `v` the speed relative to the tool;
+// `stretch` becomes what the tangential spring keeps. `inverse_softening` spares a division.
+[[gnu::always_inline]] inline Contribution contact_force(const ContactLaw& law, double inverse_softening, double mass,
+                                                         double area, double distance, const double (&n)[3],
+                                                         const double (&d)[3], const double (&v)[3], double time,
+                                                         double (&stretch)[3]) {
+  const double k = law.frequency2 * mass, c = law.damping_rate * mass;
+  const double gap = distance - law.offset;
+  const double p = gap < 0.0 ? -gap : 0.0;
+  const double soft = p < law.softening ? p : law.softening, engaged = soft * inverse_softening;
+  const double elastic = k * engaged * (p - 0.5 * soft);
+  // integral of the normal force: k p^3/(6 d) to the depth d, k ((p - d/2)^2/2 + d^2/24) beyond
+  const double beyond = p - soft;
+  const double stored_normal = k * (engaged * soft * soft / 6.0 + 0.5 * beyond * (soft + beyond));
+  const double approach = -(v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
+  const double total = elastic + c * engaged * approach;
+  const double normal = total > 0.0 ? total : 0.0;
+  const double limit = law.friction * normal;
+
+  // trial = k d + c w with the tangential parts of d and v, cut to the limit as a whole
+  const double dn = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+  const double t0 = d[0] - dn * n[0], t1 = d[1] - dn * n[1], t2 = d[2] - dn * n[2];
+  const double w0 = v[0] + approach * n[0], w1 = v[1] + approach * n[1], w2 = v[2] + approach * n[2];
+  const double s0 = k * t0 + c * w0, s1 = k * t1 + c * w1, s2 = k * t2 + c * w2;
+  const double size = std::sqrt(s0 * s0 + s1 * s1 + s2 * s2);
+  const double cut = size > limit ? limit / size : 1.0;
+  stretch[0] = cut * t0;
+  stretch[1] = cut * t1;
+  stretch[2] = cut * t2;
+  const double t_square = t0 * t0 + t1 * t1 + t2 * t2, w_square = w0 * w0 + w1 * w1 + w2 * w2;
+
+  Contribution out;
+  out.force[0] = normal * n[0] - cut * s0;
+  out.force[1] = normal * n[1] - cut * s1;
+  out.force[2] = normal * n[2] - cut * s2;
+  out.area = p > 0.0 ? area : 0.0;
+  out.energy = stored_normal + 0.5 * k * cut * cut * t_square;
+  // of a node that slides, all is friction
+  const double dampers = time * cut * c * w_square;
+  out.friction_work = k * cut * (1.0 - cut) * t_square + (cut < 1.0 ? dampers : 0.0);
+  out.damping_work = time * (normal - elastic) * approach + (cut < 1.0 ? 0.0 : dampers);
+  return out;
+}
+
+using Row = double[points_at_a_time];
+
+double greatest(const Row& values) {
+  double lane[lanes] = {};
+  for (int n = 0; n < points_at_a_time; n += lanes)
+    for (int l = 0; l < lanes; ++l) lane[l] = lane[l] > values[n + l] ? lane[l] : values[n + l];
+  double result = lane[0];
+  for (int l = 1; l < lanes; ++l) result = result > lane[l] ? result : lane[l];
+  return result;
+}
+
+}  // namespace
+
+ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_given, const Distances& distances,
+                           double time, const ContactNodes& nodes_given) {
+  const ContactLaw law = law_given;
+  const ContactTool tool = tool_given;
+  const ContactNodes nodes = nodes_given;
+  const double inverse = 1.0 / law.softening;
+  double fx = 0.0, fy = 0.0, fz = 0.0, area = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
+#pragma omp simd reduction(+ : fx, fy, fz, area, energy, friction_work, damping_work)
+  for (int i = 0; i < nodes.count; ++i) {
+    const double n[3] = {distances.normal[0][i], distances.normal[1][i], distances.normal[2][i]};
+    const double y[3] = {nodes.x[0][i] - tool.origin[0], nodes.x[1][i] - tool.origin[1],
+                         nodes.x[2][i] - tool.origin[2]};
+    const double d[3] = {y[0] - nodes.anchor[0][i], y[1] - nodes.anchor[1][i], y[2] - nodes.anchor[2][i]};
+    const double v[3] = {nodes.v[0][i] - tool.velocity[0], nodes.v[1][i] - tool.velocity[1],
+                         nodes.v[2][i] - tool.velocity[2]};
+    double stretch[3];
+    const Contribution c =
+        contact_force(law, inverse, nodes.mass[i], nodes.area[i], distances.distance[i], n, d, v, time, stretch);
+    nodes.anchor[0][i] = y[0] - stretch[0];
+    nodes.anchor[1][i] = y[1] - stretch[1];
+    nodes.anchor[2][i] = y[2] - stretch[2];
+    nodes.force[0][i] += c.force[0];
+    nodes.force[1][i] += c.force[1];
+    nodes.force[2][i] += c.force[2];
+    fx += c.force[0];
+    fy += c.force[1];
+    fz += c.force[2];
+    area += c.area;
+    energy += c.energy;
+    friction_work += c.friction_work;
+    damping_work += c.damping_work;
+  }
+  return {.force = {fx, fy, fz},
+          .area = area,
+          .energy = energy,
+          .friction_work = friction_work,
+          .damping_work = damping_work};
+}
+
+void reset_anchors(const ContactTool& tool, const ContactNodes& nodes) {
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < nodes.count; ++i) nodes.anchor[c][i] = nodes.x[c][i] - tool.origin[c];
+}
+
+double least_gap(const Distances& distances, double offset, const ContactNodes& nodes) {
+  constexpr double far = 1e300;  // mm
+  Row gap;
+  double lane[lanes];
+  for (double& value : lane) value = far;
+  for (int i = 0; i < nodes.count; ++i) gap[i] = nodes.mass[i] > 0.0 ? distances.distance[i] - offset : far;
+  for (int i = nodes.count; i < points_at_a_time; ++i) gap[i] = far;
+  for (int n = 0; n < points_at_a_time; n += lanes)
+    for (int l = 0; l < lanes; ++l) lane[l] = lane[l] < gap[n + l] ? lane[l] : gap[n + l];
+  double result = lane[0];
+  for (int l = 1; l < lanes; ++l) result = result < lane[l] ? result : lane[l];
+  return result;
+}
+
+double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes) {
+  Row square = {};
+  for (int i = 0; i < nodes.count; ++i) {
+    const double x = nodes.v[0][i] - reference[0], y = nodes.v[1][i] - reference[1], z = nodes.v[2][i] - reference[2];
+    square[i] = nodes.mass[i] > 0.0 ? x * x + y * y + z * z : 0.0;
+  }
+  return std::sqrt(greatest(square));
+}
+
+}  // namespace weaveform

@@ -1,0 +1,64 @@
+// The contact law between a fabric node and a tool, for the nodes of one block.
+//
+// With the penetration p = offset - distance, the node's contact stiffness k = omega^2 m and the softening depth d:
+//   normal    N = k p^2/(2d) for p < d, k (p - d/2) beyond: smooth at touch; plus damping c min(p/d, 1) of the approach
+//             speed, c = 2 xi omega m; never pulling
+//   friction  a tangential spring of stiffness k from an anchor that moves with the tool, and damping c of the
+//             tangential speed. Where their sum passes mu N, both are scaled down to it and the anchor follows
+//             (return mapping; Simo and Hughes 1998, "Computational Inelasticity", 1.2), so a node that sticks keeps
+//             its place for ever, one that slides feels exactly mu N, and damping never adds to Coulomb's limit.
+// Every loss is work of its own, never negative: what the spring loses to the cut, and the dampers.
+#pragma once
+
+#include "mesher/tools/distance.hpp"
+
+namespace weaveform {
+
+struct ContactLaw {
+  double offset = 0.0;        // mm; from the fabric's middle plane to its face
+  double softening = 0.0;     // mm; d
+  double frequency2 = 0.0;    // 1/s^2; omega^2
+  double damping_rate = 0.0;  // 1/s; 2 xi omega
+  double friction = 0.0;      // 1; mu
+};
+
+// How the tool stands and moves.
+struct ContactTool {
+  std::array<double, 3> origin;    // mm
+  std::array<double, 3> velocity;  // mm/s; over the step just made
+};
+
+// The nodes of a block; arrays of `count` entries.
+struct ContactNodes {
+  int count;
+  const double* mass;  // tonne; 0 where no node is
+  const double* area;  // mm^2; of the fabric around the node
+  const double* x[3];  // mm
+  const double* v[3];  // mm/s; half a step behind
+  double* force[3];    // N; added to
+  double* anchor[3];   // mm; in the tool's frame (world axes, tool's origin)
+};
+
+// Sums over a block.
+struct ContactSums {
+  double force[3] = {0.0, 0.0, 0.0};  // N; of the tool on the fabric
+  double area = 0.0;                  // mm^2; of the nodes that touch
+  double energy = 0.0;                // mJ; stored in the springs
+  double friction_work = 0.0;         // mJ; lost in sliding, over the step just made
+  double damping_work = 0.0;          // mJ; lost in the dampers, over the step just made
+};
+
+// `time` is the length of the step just made (s).
+[[nodiscard]] ContactSums contact_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,
+                                         double time, const ContactNodes& nodes);
+
+// Puts the anchors where the nodes are: no stretch.
+void reset_anchors(const ContactTool& tool, const ContactNodes& nodes);
+
+// mm; least distance - offset of the nodes that exist.
+[[nodiscard]] double least_gap(const Distances& distances, double offset, const ContactNodes& nodes);
+
+// mm/s; greatest |v - reference| of the nodes that exist.
+[[nodiscard]] double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes);
+
+}  // namespace weaveform

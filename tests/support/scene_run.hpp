@@ -1,0 +1,32 @@
+// A scene meshed and solved in memory, for the tests that look at histories.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/lattice/build.hpp"
+#include "mesher/scene/reader.hpp"
+#include "solver/solve.hpp"
+
+namespace weaveform::test {
+
+inline Scene example(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + name + ".toml", overrides);
+}
+
+struct Solved {
+  Scene scene;
+  Card card;
+  Mesh mesh;
+  SolveResult result;
+
+  explicit Solved(const Scene& the_scene)
+      : scene(the_scene),
+        card(load_card(scene.fabric.material, scene.file)),
+        mesh(build_mesh(scene, card)),
+        result(solve(mesh, scene, card, {}, {.threads = 1, .resume = false, .quiet = true})) {}
+
+  [[nodiscard]] double last(const std::string& column) const { return result.history.values(column).back(); }
+};
+
+}  // namespace weaveform::test

@@ -1,0 +1,91 @@
+// Raw test files: delimiters, decimal signs, headings, missing cells.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesher/base/error.hpp"
+#include "mesher/material/identify/raw_table.hpp"
+#include "mesher/material/identify/unit.hpp"
+
+namespace weaveform::identify {
+namespace {
+
+RawTable table_of(const std::string& text, const TableFormat& format = {}) {
+  return read_raw_table(text, "t.csv", format);
+}
+
+std::string complaint_of(const std::string& text, const TableFormat& format = {}) {
+  try {
+    const RawTable table = table_of(text, format);
+    for (std::size_t i = 0; i < table.cells.front().size(); ++i) (void)numbers_of(table, i);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RawTable, SameRowsInEveryUsualSpelling) {
+  const std::vector<double> x = {0.5, 1.25, 2.0}, y = {-1.5, 0.25, 100.0};
+  for (const char* text : {
+           "x,y\n0.5,-1.5\n1.25,0.25\n2,100\n",
+           "x;y\r\n0,5;-1,5\r\n1,25;0,25\r\n2;1e2\r\n",
+           "\xEF\xBB\xBF# comment\n\nx\ty\n0.5\t-1.5\n1.25\t+0.25\n2\t100\n",
+           "x y\n 0.5   -1.5\n 1.25   0.25\n 2  100\n",
+           "x y\n0,5 -1,5\n1,25 0,25\n2,0 100,0\n",
+           "\"x\",\"y\"\n\"0.5\",\"-1.5\"\n\"1.25\",\"0.25\"\n\"2\",\"100\"\n",
+           "x;y\n(mm);(N)\n0.5;-1.5\n1.25;0.25\n2;100\n",
+       }) {
+    const RawTable table = table_of(text);
+    EXPECT_EQ(numbers_of(table, column_of(table, "x", "key")), x) << text;
+    EXPECT_EQ(numbers_of(table, column_of(table, "2", "key")), y) << text;
+  }
+}
+
+TEST(RawTable, WithoutAHeadingColumnsAreCounted) {
+  const RawTable table = table_of("machine 4464\n1,2\n3,4\n", {.skip_lines = 1});
+  EXPECT_TRUE(table.heading.empty());
+  EXPECT_EQ(numbers_of(table, column_of(table, "2", "key")), (std::vector<double>{2, 4}));
+  EXPECT_THROW((void)column_of(table, "force", "force_column"), InputError);
+}
+
+TEST(RawTable, MissingCellsAreNotANumber) {
+  const auto numbers = numbers_of(table_of("x,y\n1,\n2,NaN\n3,n/a\n4,-\n5,7\n"), 1);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(std::isnan(numbers[i])) << i;
+  EXPECT_EQ(numbers[4], 7.0);
+}
+
+TEST(RawTable, ComplainsWithFileAndLine) {
+  EXPECT_NE(complaint_of("x;y\n1;2\n3,4\n5;6\n").find("t.csv:3: the row has 1 cell(s)"), std::string::npos);
+  EXPECT_NE(complaint_of("x,y\n1,2\n3,4a\n").find("t.csv:3: '4a' is not a number"), std::string::npos);
+  EXPECT_NE(complaint_of("x;y\n1.234,5;2\n1;2\n").find("t.csv:2: '1.234,5'"), std::string::npos);
+  EXPECT_NE(complaint_of("x,y\n0,5,1,5\n1,5,2,5\n").find("twice as many cells"), std::string::npos);
+  EXPECT_NE(complaint_of("x,y\n").find("no rows of numbers"), std::string::npos);
+  EXPECT_NE(complaint_of("").find("has no rows"), std::string::npos);
+  EXPECT_NE(complaint_of("x,y\n1,2\n", {.delimiter = "comma", .decimal = "comma"}).find("cannot be both"),
+            std::string::npos);
+  EXPECT_NE(complaint_of(std::string("PK\0\1", 4)).find("not plain text"), std::string::npos);
+}
+
+TEST(RawTable, AWrongColumnNameMeetsTheNearestOne) {
+  const RawTable table = table_of("time,displacement,force\n1,2,3\n");
+  try {
+    (void)column_of(table, "dispalcement", "displacement_column");
+    FAIL() << "no complaint";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "t.csv: no column 'dispalcement' for 'displacement_column'; did you mean 'displacement'?");
+  }
+}
+
+TEST(UnitInHeading, IsReadInTheUsualSpellings) {
+  EXPECT_EQ(unit_in("Load (kN)", Quantity::force), "kN");
+  EXPECT_EQ(unit_in("force [N]", Quantity::force), "N");
+  EXPECT_EQ(unit_in("force_N", Quantity::force), "N");
+  EXPECT_EQ(unit_in("normalised_shear_force_N_per_mm", Quantity::force_per_length), "N/mm");
+  EXPECT_EQ(unit_in("shear_angle_deg", Quantity::angle), "deg");
+  EXPECT_EQ(unit_in("Extension", Quantity::length), std::nullopt);
+  EXPECT_EQ(unit_in("LOCATION", Quantity::force), std::nullopt) << "a word that ends in N names no unit";
+}
+
+}  // namespace
+}  // namespace weaveform::identify

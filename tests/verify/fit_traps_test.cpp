@@ -1,0 +1,209 @@
+// What real test files do wrong: each trap gives the right answer, or a complaint that says what to do.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "mesher/base/trellis.hpp"
+#include "tests/support/fit_folder.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;  // rad
+constexpr double modulus = 20000.0;                  // MPa
+constexpr double section = 1.25;                     // mm^2
+constexpr double gauge = 1000.0;                     // mm
+
+struct Rows {
+  std::vector<double> x, y;
+};
+
+Rows yarn_rows() {
+  Rows rows{test::evenly(0.0, 20.0, 101), {}};
+  for (const double l : rows.x) rows.y.push_back(modulus * std::log1p(l / gauge) * section / (1.0 + l / gauge));
+  return rows;
+}
+
+const std::string yarn_fit =
+    "name = 'a'\nbase = 'twintex-pw'\n[[tensile]]\nname = 'yarn'\nfiles = ['yarn.csv']\ndisplacement_column = "
+    "'x'\nforce_column = 'y'\ngauge_length = 1000\n";
+
+double fitted_modulus(const test::FitFolder& folder, const std::string& more = "") {
+  return folder.identify(yarn_fit + more).card.yarn[0].linear_modulus;
+}
+
+TEST(FitTraps, UnsortedRowsAreSorted) {
+  const test::FitFolder folder;
+  Rows rows = yarn_rows();
+  std::reverse(rows.x.begin() + 20, rows.x.begin() + 60);
+  std::reverse(rows.y.begin() + 20, rows.y.begin() + 60);
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  const auto found = folder.identify(yarn_fit);
+  EXPECT_NEAR(found.card.yarn[0].linear_modulus, modulus, 1e-3);
+  EXPECT_NE(found.yarns[0].specimens[0].notes.at(0).find("sorted"), std::string::npos);
+}
+
+TEST(FitTraps, DecimalCommasAreRead) {
+  const test::FitFolder folder;
+  const Rows rows = yarn_rows();
+  std::string text = "x;y\n";
+  for (std::size_t i = 0; i < rows.x.size(); ++i) text += fmt::format("{:.6f};{:.6f}\n", rows.x[i], rows.y[i]);
+  std::replace(text.begin(), text.end(), '.', ',');
+  folder.write("yarn.csv", text);
+  EXPECT_NEAR(fitted_modulus(folder), modulus, 0.1);
+}
+
+TEST(FitTraps, ASlackToeIsTakenOut) {
+  const test::FitFolder folder;
+  Rows rows = yarn_rows();
+  // 6 mm of slack, straightened on a parabola: the line it joins is the elastic one.
+  constexpr double slack = 6.0, stiffness = modulus * section / gauge;  // mm, N/mm
+  for (std::size_t i = 0; i < rows.x.size(); ++i) {
+    const double l = rows.x[i];
+    rows.y[i] = l < 2.0 * slack ? stiffness * l * l / (4.0 * slack) : stiffness * (l - slack);
+  }
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  const auto found = folder.identify(yarn_fit);
+  const auto& yarn = found.yarns[0].specimens[0];
+  // The straight part may still hold 1 % of bow, and true stress and strain bend it by as much.
+  EXPECT_NEAR(yarn.modulus, modulus, 0.04 * modulus);
+  EXPECT_NEAR(yarn.toe, std::log1p(slack / gauge), 0.0005);
+  EXPECT_NE(yarn.notes.at(0).find("slack toe"), std::string::npos);
+}
+
+TEST(FitTraps, ABrokenSpecimenIsCutAtItsGreatestLoad) {
+  const test::FitFolder folder;
+  Rows rows = yarn_rows();
+  for (std::size_t i = 81; i < rows.y.size(); ++i) rows.y[i] = 30.0;
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  const auto found = folder.identify(yarn_fit);
+  EXPECT_NEAR(found.card.yarn[0].linear_modulus, modulus, 1e-3);
+  EXPECT_NE(found.yarns[0].specimens[0].notes.at(0).find("20 rows after the greatest force cut off"),
+            std::string::npos);
+}
+
+TEST(FitTraps, LoadsInKilonewtonsCalledNewtonsAreAskedAbout) {
+  const test::FitFolder folder;
+  Rows rows = yarn_rows();
+  for (double& force : rows.y) force *= 1e-3;
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  const std::string complaint = folder.complaint(yarn_fit);
+  EXPECT_NE(complaint.find("force_unit really 'N'"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("kN"), std::string::npos) << complaint;
+  EXPECT_NEAR(fitted_modulus(folder, "force_unit = 'kN'\n"), modulus, 1e-3);
+}
+
+TEST(FitTraps, AHeadingThatNamesAnotherUnitIsAskedAbout) {
+  const test::FitFolder folder;
+  const Rows rows = yarn_rows();
+  std::string text = "x,Load (kN)\n";
+  for (std::size_t i = 0; i < rows.x.size(); ++i) text += fmt::format("{},{}\n", rows.x[i], rows.y[i]);
+  folder.write("yarn.csv", text);
+  std::string fit = yarn_fit;
+  fit.replace(fit.find("'y'"), 3, "'Load (kN)'");
+  const std::string complaint = folder.complaint(fit);
+  EXPECT_NE(complaint.find("the file calls the force 'Load (kN)', but force_unit is 'N'"), std::string::npos)
+      << complaint;
+}
+
+TEST(FitTraps, MissingCellsAreLeftOutAndCounted) {
+  const test::FitFolder folder;
+  const Rows rows = yarn_rows();
+  std::string text = "x,y\n";
+  for (std::size_t i = 0; i < rows.x.size(); ++i)
+    text += i % 10 == 3 ? fmt::format("{},NaN\n", rows.x[i]) : fmt::format("{:.12g},{:.12g}\n", rows.x[i], rows.y[i]);
+  folder.write("yarn.csv", text);
+  const auto found = folder.identify(yarn_fit);
+  EXPECT_NEAR(found.card.yarn[0].linear_modulus, modulus, 1e-3);
+  EXPECT_EQ(found.yarns[0].specimens[0].notes.at(0), "10 rows without a value left out");
+}
+
+TEST(FitTraps, NegativeLoadsAreAskedAbout) {
+  const test::FitFolder folder;
+  Rows rows = yarn_rows();
+  for (double& force : rows.y) force = -force;
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  EXPECT_NE(folder.complaint(yarn_fit).find("say force_factor = -1"), std::string::npos);
+  EXPECT_NEAR(fitted_modulus(folder, "force_factor = -1\n"), modulus, 1e-3);
+}
+
+TEST(FitTraps, TooFewPointsAreRefused) {
+  const test::FitFolder folder;
+  folder.write_curve("yarn.csv", {0.0, 10.0, 20.0}, {0.0, 250.0, 500.0});
+  EXPECT_NE(folder.complaint(yarn_fit).find("only 3 usable points"), std::string::npos);
+}
+
+TEST(FitTraps, EveryBadFileIsNamedAtOnce) {
+  const test::FitFolder folder;
+  folder.write("one.csv", "x,y\n1,2\n3;4\n5,6\n");
+  folder.write("two.csv", "x,y\n1,2\n3,four\n5,6\n");
+  std::string fit = yarn_fit;
+  fit.replace(fit.find("'yarn.csv'"), 10, "'one.csv', 'two.csv'");
+  const std::string complaint = folder.complaint(fit);
+  EXPECT_NE(complaint.find("one.csv:3: the row has 1 cell(s)"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("two.csv:3: 'four' is not a number"), std::string::npos) << complaint;
+}
+
+// A shear frame driven to 40 deg, loads of a plain weave.
+Rows frame_rows() {
+  const Card card = load_card("twintex-pw");
+  const ShearFrame frame{216.0, 120.0};
+  Rows rows;
+  for (const double angle : test::evenly(0.0, 40.0 * degree, 120)) {
+    rows.x.push_back(frame_displacement(frame, angle));
+    rows.y.push_back(frame_load(frame, shear_stress(card.shear, log_shear_strain(angle)) * card.thickness, angle));
+  }
+  return rows;
+}
+
+const std::string frame_fit =
+    "name = 'a'\nbase = 'twintex-pw'\n[[shear_frame]]\nname = 'frame'\nfiles = ['frame.csv']\ndisplacement_column = "
+    "'x'\nforce_column = 'y'\nframe_length = 216\nfabric_length = 120\n";
+
+TEST(FitTraps, AFrameDisplacementInMetresCalledMillimetresIsAskedAbout) {
+  const test::FitFolder folder;
+  Rows rows = frame_rows();
+  for (double& displacement : rows.x) displacement *= 1e-3;
+  folder.write_curve("frame.csv", rows.x, rows.y);
+  const std::string complaint = folder.complaint(frame_fit);
+  EXPECT_NE(complaint.find("displacement_unit really 'mm' (m would fit)"), std::string::npos) << complaint;
+}
+
+TEST(FitTraps, AFramePast90DegreesIsRefused) {
+  const test::FitFolder folder;
+  Rows rows = frame_rows();
+  for (double& displacement : rows.x) displacement *= 2.0;
+  folder.write_curve("frame.csv", rows.x, rows.y);
+  EXPECT_NE(folder.complaint(frame_fit).find("sheared past 90 deg"), std::string::npos);
+}
+
+TEST(FitTraps, ACyclicTestIsAskedAbout) {
+  const test::FitFolder folder;
+  Rows rows = frame_rows();
+  const Rows loading = rows;
+  for (std::size_t i = loading.x.size(); i-- > 0;) {
+    rows.x.push_back(loading.x[i] + 0.01);
+    rows.y.push_back(0.05 * loading.y[i]);
+  }
+  folder.write_curve("frame.csv", rows.x, rows.y);
+  EXPECT_NE(folder.complaint(frame_fit).find("cyclic test"), std::string::npos) << folder.complaint(frame_fit);
+}
+
+TEST(FitTraps, SpecimensOfOneFileAreToldApart) {
+  const test::FitFolder folder;
+  const Rows rows = frame_rows();
+  std::string text = "specimen,x,y\n";
+  for (std::size_t i = 0; i < rows.x.size(); ++i)
+    for (const int k : {1, 2, 3})
+      text += fmt::format("S{},{:.10g},{:.10g}\n", k, rows.x[i], (0.8 + 0.1 * k) * rows.y[i]);
+  folder.write("frame.csv", text);
+  const auto found = folder.identify(frame_fit + "specimen_column = 'specimen'\n");
+  ASSERT_EQ(found.frame->specimens.size(), 3u);
+  const Card card = load_card("twintex-pw");
+  const auto& last = found.frame->law.back();
+  EXPECT_NEAR(last.stress / shear_stress(card.shear, last.strain), 1.0, 1e-3) << "the mean of 0.9, 1 and 1.1";
+}
+
+}  // namespace
+}  // namespace weaveform
