@@ -24,6 +24,7 @@ int run_command(int argc, char** argv) {
   weaveform::add_post_command(program);
   weaveform::add_check_command(program);
   weaveform::add_fit_command(program);
+  weaveform::add_chart_command(program);
   weaveform::add_unit_cell_command(program);
   weaveform::add_keys_command(program);
   try {

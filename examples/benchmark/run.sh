@@ -27,7 +27,7 @@ measured() {
   awk -F, '/^#/ || /^displacement/ { next } { print $1, $2 }' "$here/data/$1.csv" >"$output/measured_$2.txt"
 }
 
-# compare TITLE TRAVELS REFERENCE FILE...: loads of all files at the travels (mm), and their ratio to the mean of the
+# compare TITLE TRAVELS FILE...: loads of all files at the travels (mm), and their ratio to the mean of the
 # measured files, which are those named measured_*; interpolated linearly.
 compare() {
   title=$1 travels=$2
@@ -91,12 +91,29 @@ measured plain_bias_115x230_INSA-NU plain_INSA-NU
 measured plain_bias_115x230_NU-New plain_NU-New
 measured balanced-twill_bias_150x300_INSA-NU twill_INSA-NU
 
+case $program in */*) program=$(cd "$(dirname "$program")" && pwd)/$(basename "$program") ;; esac
 cd "$output"
+plain_files="measured_plain_INSA-NU.txt measured_plain_NU-New.txt"
+for name in bias_INSA-NU bias_INSA-NU_linear bias_NU-New bias_NU-New_linear frame_UML frame_HKUST frames; do
+  plain_files="$plain_files loads_bias_plain_plain_$name.txt"
+done
+plain_files="$plain_files loads_bias_plain_paper.txt"
+twill_files=measured_twill_INSA-NU.txt
+for name in twill_bias_INSA-NU twill_bias_INSA-NU_linear twill_frame_UML paper; do
+  twill_files="$twill_files loads_bias_twill_$name.txt"
+done
+# No name has a blank, so the lists may be split.
 {
-  compare "Plain weave, 115 mm x 230 mm" "5 10 15 20 25 30 35" measured_plain_INSA-NU.txt measured_plain_NU-New.txt \
-    loads_bias_plain_plain_bias_INSA-NU.txt loads_bias_plain_plain_bias_INSA-NU_linear.txt \
-    loads_bias_plain_plain_bias_NU-New.txt loads_bias_plain_plain_bias_NU-New_linear.txt loads_bias_plain_plain_frame_UML.txt \
-    loads_bias_plain_plain_frame_HKUST.txt loads_bias_plain_plain_frames.txt loads_bias_plain_paper.txt
-  compare "Balanced twill, 150 mm x 300 mm" "5 10 15 20 25 30 35 40 45" measured_twill_INSA-NU.txt \
-    loads_bias_twill_twill_bias_INSA-NU.txt loads_bias_twill_twill_bias_INSA-NU_linear.txt loads_bias_twill_twill_frame_UML.txt loads_bias_twill_paper.txt
+  compare "Plain weave, 115 mm x 230 mm" "5 10 15 20 25 30 35" $plain_files
+  compare "Balanced twill, 150 mm x 300 mm" "5 10 15 20 25 30 35 40 45" $twill_files
 } | tee comparison.md
+
+# chart NAME TITLE MEASURED FILE...: the same as a chart, the first MEASURED files as points
+chart() {
+  name=$1 title=$2 measured=$3
+  shift 3
+  "$program" chart "$@" --output "$name.svg" --title "$title" --x-title "travel (mm)" --y-title "load (N)" \
+    --points "$measured"
+}
+chart plain "Plain weave, 115 mm x 230 mm: measured and predicted loads" 2 $plain_files
+chart twill "Balanced twill, 150 mm x 300 mm: measured and predicted loads" 1 $twill_files

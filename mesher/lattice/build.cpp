@@ -12,6 +12,7 @@
 #include "mesher/lattice/cut_cells.hpp"
 #include "mesher/lattice/fit.hpp"
 #include "mesher/lattice/frame.hpp"
+#include "mesher/lattice/free_ends.hpp"
 #include "mesher/lattice/grips.hpp"
 #include "mesher/lattice/lumping.hpp"
 #include "mesher/lattice/net.hpp"
@@ -257,6 +258,7 @@ Mesh build(const Scene& scene, const Card& card) {
   collect_sets(net, grips, mesh, complaints);
   if (!complaints.empty()) complain(scene, complaints);
   lump(mesh, card, real_coarsening(lines.spacing, card), holds(net, grips));
+  tie_free_ends(mesh, holds(net, grips));
   if (scene.frame) attach_frame(scene, card, mesh);
   return mesh;
 }

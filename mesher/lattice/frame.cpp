@@ -78,8 +78,7 @@ void add_arm(const YarnEnd& end, int family, const FrameSpec& frame, const Blank
   mesh.yarns.jaw.push_back(0.0);
   mesh.yarns.softening.push_back(1.0);
   const auto [from, to] = member(family, end.side);
-  mesh.frame.tie.push_back(
-      {tied, {mesh.frame.corner[from], mesh.frame.corner[to]}, stop[1 - family] / frame.length + 0.5});
+  mesh.tie.push_back({tied, {mesh.frame.corner[from], mesh.frame.corner[to]}, stop[1 - family] / frame.length + 0.5});
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace weaveform::mesh_format {
 //                area_mm2, lattice (i, j)
 //   point data   mass_t, crossing (i, j), and one array of 0 and 1 per node set, named with the prefix below
 //   field data   spacing_mm, lattice_size, thickness_mm, coefficient_per_mm (two per entry of the shear cells'
-//                connectivity); with a shear frame frame_corner (4 nodes), tie_node (node, two corners), tie_share
+//                connectivity), tie_node (node, the two it follows), tie_share, frame_corner (4 nodes, -1: no frame)
 inline const std::string set_prefix = "set_";
 
 // VTK speaks of its errors to observers only; this one keeps the first.

@@ -197,25 +197,24 @@ void check_crossings(Wanted& wanted, const Mesh& mesh) {
 
 namespace {
 
-void get_frame(Wanted& wanted, vtkUnstructuredGrid& grid, MeshFrame& frame) {
-  if (grid.GetFieldData()->GetAbstractArray("frame_corner") == nullptr) return;
+void get_ties(Wanted& wanted, vtkUnstructuredGrid& grid, Mesh& mesh) {
   auto* corner = wanted.array<vtkIntArray>(grid.GetFieldData(), "frame_corner", 4, 1);
   auto* any = grid.GetFieldData()->GetAbstractArray("tie_node");
   const auto ties = any == nullptr ? 0 : static_cast<std::size_t>(any->GetNumberOfTuples());
   auto* node = wanted.array<vtkIntArray>(grid.GetFieldData(), "tie_node", 3, ties);
   auto* share = wanted.array<vtkDoubleArray>(grid.GetFieldData(), "tie_share", 1, ties);
   wanted.stop_if_any();
-  corner->GetTypedTuple(0, frame.corner.data());
+  corner->GetTypedTuple(0, mesh.frame.corner.data());
   const vtkIdType points = grid.GetNumberOfPoints();
   const auto valid = [points](int n) { return n >= 0 && n < points; };
-  bool all_valid = std::all_of(frame.corner.begin(), frame.corner.end(), valid);
+  bool all_valid = !mesh.frame.present() || std::all_of(mesh.frame.corner.begin(), mesh.frame.corner.end(), valid);
   for (std::size_t k = 0; k < ties; ++k) {
     int nodes[3] = {0, 0, 0};
     node->GetTypedTuple(static_cast<vtkIdType>(k), nodes);
     all_valid = all_valid && valid(nodes[0]) && valid(nodes[1]) && valid(nodes[2]);
-    frame.tie.push_back({nodes[0], {nodes[1], nodes[2]}, share->GetValue(static_cast<vtkIdType>(k))});
+    mesh.tie.push_back({nodes[0], {nodes[1], nodes[2]}, share->GetValue(static_cast<vtkIdType>(k))});
   }
-  if (!all_valid) wanted.complain("the shear frame names a point that is not there");
+  if (!all_valid) wanted.complain("a tie or the shear frame names a point that is not there");
 }
 
 }  // namespace
@@ -229,7 +228,7 @@ Mesh read_mesh(const std::filesystem::path& file) {
   get_cell_data(wanted, *grid, yarns, mesh);
   get_nodes(wanted, *grid, mesh);
   get_field_data(wanted, *grid, mesh);
-  get_frame(wanted, *grid, mesh.frame);
+  get_ties(wanted, *grid, mesh);
   wanted.stop_if_any();
   check_crossings(wanted, mesh);
   wanted.stop_if_any();

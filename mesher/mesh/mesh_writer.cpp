@@ -145,15 +145,14 @@ void put_field_data(const Mesh& mesh, vtkUnstructuredGrid& grid) {
     grid.GetFieldData()->AddArray(array);
 }
 
-void put_frame(const MeshFrame& frame, vtkUnstructuredGrid& grid) {
-  if (!frame.present()) return;
+void put_ties(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   auto corner = new_array<vtkIntArray>("frame_corner", 4, 1);
-  corner->SetTypedTuple(0, frame.corner.data());
-  auto node = new_array<vtkIntArray>("tie_node", 3, frame.tie.size());
-  auto share = new_array<vtkDoubleArray>("tie_share", 1, frame.tie.size());
-  for (std::size_t k = 0; k < frame.tie.size(); ++k) {
-    const auto& tie = frame.tie[k];
-    const int nodes[3] = {tie.node, tie.corner[0], tie.corner[1]};
+  corner->SetTypedTuple(0, mesh.frame.corner.data());
+  auto node = new_array<vtkIntArray>("tie_node", 3, mesh.tie.size());
+  auto share = new_array<vtkDoubleArray>("tie_share", 1, mesh.tie.size());
+  for (std::size_t k = 0; k < mesh.tie.size(); ++k) {
+    const auto& tie = mesh.tie[k];
+    const int nodes[3] = {tie.node, tie.to[0], tie.to[1]};
     node->SetTypedTuple(static_cast<vtkIdType>(k), nodes);
     share->SetValue(static_cast<vtkIdType>(k), tie.share);
   }
@@ -195,7 +194,7 @@ void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
   put_cell_data(mesh, *grid);
   put_point_data(mesh, *grid);
   put_field_data(mesh, *grid);
-  put_frame(mesh.frame, *grid);
+  put_ties(mesh, *grid);
 
   // In the same folder, so that the rename cannot cross file systems; with the process number, so that two runs cannot
   // meet.

@@ -46,8 +46,8 @@ void check_shape_keys(const ToolSpec& tool, const toml::table& table, Complaints
   for (const ShapeKey& row : keys) {
     // judged by the file too, so that a key with a bad value is not called missing
     if (has(row.needed_by) && !row.given && !table.contains(row.key))
-      complaints.add(table, fmt::format("[tools.{}] lacks '{}', which the shape '{}' needs", tool.name, row.key,
-                                        tool.shape));
+      complaints.add(table,
+                     fmt::format("[tools.{}] lacks '{}', which the shape '{}' needs", tool.name, row.key, tool.shape));
     if (row.given && !has(row.needed_by) && !has(row.taken_by))
       complaints.add(place_of(table, row.key),
                      fmt::format("'{}' means nothing to the shape '{}'; it belongs to {}", row.key, tool.shape,
@@ -72,7 +72,8 @@ void check_speed(const ToolSpec& tool, const toml::table& table, Complaints& com
   const auto complain = [&](const std::string& what) { complaints.add(place_of(table, "speed"), what); };
   double area = 0.0;
   for (std::size_t n = 0; n < tool.speed.size(); ++n) {
-    if (tool.speed[n].size() != 2) return complain("'speed' holds points of two numbers, [part of the duration, speed]");
+    if (tool.speed[n].size() != 2)
+      return complain("'speed' holds points of two numbers, [part of the duration, speed]");
     if (n == 0) continue;
     const auto &a = tool.speed[n - 1], &b = tool.speed[n];
     if (!(b[0] > a[0])) return complain("'speed': the parts of the duration must rise from point to point");
@@ -85,8 +86,8 @@ void check_speed(const ToolSpec& tool, const toml::table& table, Complaints& com
 
 void check_motion(const ToolSpec& tool, const toml::table& table, Complaints& complaints) {
   if (tool.force && tool.travel != 0.0)
-    complaints.add(place_of(table, "force"), fmt::format("[tools.{}] has both 'travel' and 'force'; keep one",
-                                                         tool.name));
+    complaints.add(place_of(table, "force"),
+                   fmt::format("[tools.{}] has both 'travel' and 'force'; keep one", tool.name));
   if (tool.mass && !tool.force)
     complaints.add(place_of(table, "mass"), "'mass' is that of a tool pushed by a 'force'; there is none");
   check_speed(tool, table, complaints);

@@ -139,7 +139,7 @@ const std::vector<Key<ToolSpec>> tool_keys = {
     key<&ToolSpec::force>({.name = "force",
                            .unit = "N",
                            .limits = at_least(0),
-                           .doc = "pushes the tool along `direction`, all of it after the first hundredth of the duration; it moves as the fabric lets it, along "
+                           .doc = "pushes the tool along `direction`, all of it after the first 3 % of the duration; it moves as the fabric lets it, along "
                                   "`direction` only"}),
     key<&ToolSpec::mass>({.name = "mass",
                           .unit = "tonne",

@@ -1,5 +1,5 @@
-// Signed distance to rigid tools, for a few points at a time. A tool does not turn: its place is an origin that may move
-// and a fixed axis. All analytic tools are solids of revolution about that axis; with z along the axis and r the
+// Signed distance to rigid tools, for a few points at a time. A tool does not turn: its place is an origin that may
+// move and a fixed axis. All analytic tools are solids of revolution about that axis; with z along the axis and r the
 // distance from it (Placement::origin is r = z = 0):
 //   plane     distance = z                                           material below
 //   sphere    distance = |(r, min(z, 0))| - R                        with a shank of the same radius up the axis
@@ -24,7 +24,7 @@ struct Placement {
 inline constexpr int points_at_a_time = 32;
 
 struct Distances {
-  double distance[points_at_a_time];  // mm; from the tool's surface, negative inside
+  double distance[points_at_a_time];   // mm; from the tool's surface, negative inside
   double normal[3][points_at_a_time];  // unit; outward. The nearest point of the surface is x - distance * normal
 };
 

@@ -142,8 +142,7 @@ Profile make_profile(const std::vector<std::vector<double>>& corners, const std:
   if (corners.size() < 2) throw InputError(where + ": an outline needs two corners or more");
   const auto name = [&](std::size_t n) { return fmt::format("{}: corner {}", where, n + 1); };
   const auto point = [&](std::size_t n) { return Vec2{corners[n][0], corners[n][1]}; };
-  for (std::size_t n = 0; n < corners.size(); ++n)
-    check_corner(corners[n], n == 0 || n + 1 == corners.size(), name(n));
+  for (std::size_t n = 0; n < corners.size(); ++n) check_corner(corners[n], n == 0 || n + 1 == corners.size(), name(n));
 
   Profile profile;
   Vec2 at = point(0);
@@ -165,6 +164,8 @@ Profile make_profile(const std::vector<std::vector<double>>& corners, const std:
     }
   }
   auto &first = profile.piece.front(), &last = profile.piece.back();
+  if ((first.radius != 0.0 && first.start[0] > 0.0) || (last.radius != 0.0 && last.end[0] > 0.0))
+    throw InputError(where + ": the outline ends on an arc; begin and end it on the axis or with a line, which goes on");
   first.endless[0] = first.radius == 0.0 && first.start[0] > 0.0;
   last.endless[1] = last.radius == 0.0 && last.end[0] > 0.0;
   return profile;

@@ -1,6 +1,7 @@
-// The outline of a tool of revolution: lines and arcs in the half-plane (r, z), r >= 0 the distance from the tool's axis
-// and z along it. Seen along the outline, the tool's material is on the left, so the outward normal of a piece with
-// direction (dr, dz) is (dz, -dr). The first and the last piece, when lines, go on for ever beyond an end off the axis.
+// The outline of a tool of revolution: lines and arcs in the half-plane (r, z), r >= 0 the distance from the tool's
+// axis and z along it. Seen along the outline, the tool's material is on the left, so the outward normal of a piece
+// with direction (dr, dz) is (dz, -dr). The first and the last piece, when lines, go on for ever beyond an end off the
+// axis.
 #pragma once
 
 #include <array>

@@ -21,10 +21,10 @@ struct Tool {
   double fillet_radius = 0.0;  // mm; ring
   Profile profile;
   std::shared_ptr<const TriangleSurface> surface;
-  Placement start;                                    // where it is at time 0
+  Placement start;                                     // where it is at time 0
   std::array<double, 3> direction = {0.0, 0.0, -1.0};  // unit; of its motion
-  double friction = 0.0;                              // 1
-  double offset = 0.0;                                // mm; from the fabric's middle plane to its face
+  double friction = 0.0;                               // 1
+  double offset = 0.0;                                 // mm; from the fabric's middle plane to its face
 };
 
 // The scene's tools in its order. `thickness` of the fabric (mm) gives the offsets left open. Throws InputError when a

@@ -80,8 +80,7 @@ TriangleList read_stl(const std::filesystem::path& file) {
   return list;
 }
 
-TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& where)
-    : tree_(std::make_unique<Tree>()) {
+TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& where) : tree_(std::make_unique<Tree>()) {
   std::vector<Point> points;
   for (const auto& p : list.point) points.emplace_back(p[0], p[1], p[2]);
   std::vector<std::array<int, 3>> used;

@@ -11,11 +11,8 @@
 namespace weaveform {
 namespace {
 
-constexpr double stiffness_share = 0.05;   // of the fabric's greatest omega^2
-constexpr double damping_fraction = 0.1;   // of critical, of a node on its contact spring
-constexpr double softening_part = 0.02;    // of the thickness: the depth over which the normal force sets in
-constexpr double start_tolerance = 1e-9;   // mm; a start this deep counts as touching
-constexpr double coupling_split = 0.1;     // how a spring to a pushed tool is shared between node and tool, see below
+constexpr double start_tolerance = 1e-9;  // mm; a start this deep counts as touching
+constexpr double coupling_split = 0.1;    // how a spring to a pushed tool is shared between node and tool, see below
 
 double dot(const Vec3& a, const Vec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -50,7 +47,7 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
       threads_(threads),
       thickness_(mesh.thickness),
       least_spacing_(std::min(mesh.spacing[0], mesh.spacing[1])),
-      frequency_(std::sqrt(stiffness_share) * 2.0 / fabric_step),
+      frequency_(std::sqrt(contact_stiffness_share) * 2.0 / fabric_step),
       fabric_frequency_(2.0 / fabric_step),
       mass_(packed.nodes, 0.0),
       area_(node_areas(mesh, packed)),
@@ -80,9 +77,9 @@ Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, d
                     spec.name, mass, least_mass, blank_mass_));
   Partner partner(tool, ToolMotion(spec, duration, mass));
   partner.law = {.offset = tool.offset,
-                 .softening = softening_part * thickness_,
+                 .softening = contact_softening * thickness_,
                  .frequency2 = frequency_ * frequency_,
-                 .damping_rate = 2.0 * damping_fraction * frequency_,
+                 .damping_rate = 2.0 * contact_damping * frequency_,
                  .friction = tool.friction};
   partner.anchor = start.position;
   for (int c = 0; c < 3; ++c)
@@ -179,10 +176,10 @@ void Contact::treat_block(int block, State& state, double step) {
   for (auto& partner : partners_) {
     const ContactNodes nodes = block_nodes(block, partner, state);
     double& clearance = partner.clearance[block];
-    const ContactTool tool = {partner.place().origin,
-                              {partner.motion.velocity() * partner.tool.direction[0],
-                               partner.motion.velocity() * partner.tool.direction[1],
-                               partner.motion.velocity() * partner.tool.direction[2]}};
+    const ContactTool tool = {
+        partner.place().origin,
+        {partner.motion.velocity() * partner.tool.direction[0], partner.motion.velocity() * partner.tool.direction[1],
+         partner.motion.velocity() * partner.tool.direction[2]}};
     const bool was_clear = clearance > 0.0;  // at the step before: no node stuck to the tool
     if (was_clear) {
       if (speed < 0.0) speed = greatest_speed({0.0, 0.0, 0.0}, nodes);
@@ -231,8 +228,8 @@ void Contact::check(const Partner& partner, const State& state) const {
   for (int n = 0; n < packed_.nodes; ++n) {
     Distances found;
     int hint = 0;
-    tool_distances(partner.tool, partner.place(),
-                   {&state.position[0][n], &state.position[1][n], &state.position[2][n]}, 1, &hint, found);
+    tool_distances(partner.tool, partner.place(), {&state.position[0][n], &state.position[1][n], &state.position[2][n]},
+                   1, &hint, found);
     if (mass_[n] == 0.0 || partner.tool.offset - found.distance[0] < partner.deepest) continue;
     throw PhysicsError(fmt::format(
         "at t = {:.4g} s, step {}: node {} at ({:.6g}, {:.6g}, {:.6g}) mm has gone {:.4g} mm into tool '{}', more than "

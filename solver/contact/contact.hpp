@@ -27,6 +27,13 @@
 
 namespace weaveform {
 
+// Of the fabric's greatest omega^2. A node of a fabric under tension sinks in by e h^2/(R s) at yarn strain e, spacing
+// h and tool radius R, with s = 4 * share the stiffness against that of a yarn element: at 1 % strain less than half of
+// what its chord cuts off the circle anyway, h^2/(8 R), and like that a matter of h^2.
+inline constexpr double contact_stiffness_share = 0.05;
+inline constexpr double contact_damping = 0.1;     // of critical, of a node on its contact spring
+inline constexpr double contact_softening = 0.02;  // of the thickness: the depth over which the normal force sets in
+
 class Contact : public ForceTerm {
 public:
   // `duration` of the tools' travel (s); `fabric_step` is the stable step of the fabric alone (s). Throws InputError
@@ -87,18 +94,18 @@ private:
 
   const PackedMesh& packed_;
   int threads_;
-  double thickness_;       // mm
-  double least_spacing_;   // mm
-  double frequency_;       // 1/s; omega of the contact
+  double thickness_;         // mm
+  double least_spacing_;     // mm
+  double frequency_;         // 1/s; omega of the contact
   double fabric_frequency_;  // 1/s; the fabric's greatest
   double blank_mass_ = 0.0;  // tonne
-  Doubles mass_;           // tonne; 0 where no node is
-  Doubles area_;           // mm^2; of the fabric around each node
+  Doubles mass_;             // tonne; 0 where no node is
+  Doubles area_;             // mm^2; of the fabric around each node
   std::vector<int> mesh_of_packed_;
   std::vector<Partner> partners_;
   std::vector<ToolReading> readings_;
   bool started_ = false;
-  double time_before_ = 0.0;   // s
+  double time_before_ = 0.0;     // s
   double greatest_depth_ = 0.0;  // mm
   double wall_s_ = 0.0;
 };

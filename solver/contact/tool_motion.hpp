@@ -15,7 +15,7 @@ namespace weaveform {
 [[nodiscard]] double greatest_slope(const std::vector<std::vector<double>>& speed);
 
 // A force comes on by a smooth step over this part of the duration: sudden, it would hammer the tool on the fabric.
-inline constexpr double force_rise = 0.01;
+inline constexpr double force_rise = 0.03;
 
 // One tool's motion along its direction. Times of a step as in motion.hpp: the velocity is that of the step just made,
 // half a step behind the displacement.

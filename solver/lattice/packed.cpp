@@ -69,6 +69,7 @@ void place_yarns(const Mesh& mesh, PackedMesh& packed) {
       (is_warp ? warp : weft)[n0] = 1;
       continue;
     }
+    if (mesh.yarns.softening[e] == 0.0) continue;  // a tied free end carries nothing
     auto& loose = packed.loose_yarns[is_warp ? 0 : 1];
     loose.node0.push_back(n0);
     loose.node1.push_back(n1);

@@ -39,7 +39,7 @@ Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::
       threads_(choose_threads(options.threads, mesh.cells.size())),
       yarn_laws_(yarn_laws(card, scene.model)),
       packed_(pack_mesh(mesh)),
-      ties_(scene.frame && !scene.frame->rigid ? std::make_unique<FrameTies>(mesh, packed_) : nullptr),
+      ties_(mesh.tie.empty() || (scene.frame && scene.frame->rigid) ? nullptr : std::make_unique<Ties>(mesh, packed_)),
       state_(initial_state(packed_, mesh)),
       grips_(make_grips(scene, mesh, packed_)),
       forces_(packed_, card, yarn_laws_, scene.model, state_, threads_),
@@ -58,7 +58,7 @@ Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::
       grip_force_before_(grips_.size(), 0.0),
       grip_displacement_before_(grips_.size(), 0.0),
       started_(std::chrono::steady_clock::now()) {
-  if (ties_) terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh, packed_));
+  if (scene.frame && !scene.frame->rigid) terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh, packed_));
   if (scene.frame)
     recorder_.evaluate_frame({scene.frame->length, scene.blank.size[0]}, static_cast<int>(grips_.size()) - 1);
   add_terms();
@@ -278,6 +278,7 @@ void Analysis::perturb() {
     state_.position[0][n] += dx;
     state_.position[1][n] += dy;
   }
+  if (ties_) ties_->follow(state_);
 }
 
 std::string Analysis::identity() const {

@@ -18,6 +18,7 @@
 #include "solver/motion/picture_frame.hpp"
 #include "solver/motion/recorder.hpp"
 #include "solver/motion/schedule.hpp"
+#include "solver/motion/ties.hpp"
 #include "solver/solve.hpp"
 
 namespace weaveform {
@@ -61,7 +62,7 @@ private:
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;
-  std::unique_ptr<FrameTies> ties_;  // of a shear frame whose members deform
+  std::unique_ptr<Ties> ties_;  // null when no node follows others, or a rigid frame moves them all
   State state_;
   std::vector<Grip> grips_;
   FabricForces forces_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/motion/ties.hpp"
+
 namespace weaveform {
 namespace {
 
@@ -29,7 +31,7 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
       yarn_stiffness_(mesh.yarn_count()),
       held_(std::move(held)),
       tied_(mesh.node_count(), 0) {
-  for (const auto& tie : mesh.frame.tie) tied_[tie.node] = 1;
+  for (const auto& tie : mesh.tie) tied_[tie.node] = 1;
   for (int f = 0; f < 2; ++f)
     // up to 50 % strain: far beyond what a yarn bears; the run stops there (see the checks of the time loop)
     stiffest_[f] =
@@ -47,11 +49,6 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
     const Matrix3d stiffness = yarn_stiffness_[e] * along * along.transpose();
     bound[a] += (held_[b] ? 1.0 : 2.0) * stiffness;
     bound[b] += (held_[a] ? 1.0 : 2.0) * stiffness;
-  }
-  // A tied end moves with its member's corners, u = (1-x) u_a + x u_b and |n.u|^2 <= (1-x)|n.u_a|^2 + x |n.u_b|^2.
-  for (const auto& tie : mesh_.frame.tie) {
-    bound[tie.corner[0]] += (1.0 - tie.share) * bound[tie.node];
-    bound[tie.corner[1]] += tie.share * bound[tie.node];
   }
   std::vector<double> cell_rows(mesh_.node_count(), 0.0);
   const auto further_at = [&](int n) { return further.empty() ? 0.0 : further[n]; };
@@ -78,6 +75,13 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
       cell_rows[mesh_.cells.node[a]] +=
           factor * sum *
           (std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2);
+  }
+  for (const auto& tie : mesh_.tie) {
+    const TieWeights weight = tie_weights(tie.share);
+    bound[tie.to[0]] += weight.first * bound[tie.node];
+    bound[tie.to[1]] += weight.second * bound[tie.node];
+    cell_rows[tie.to[0]] += weight.first * cell_rows[tie.node];
+    cell_rows[tie.to[1]] += weight.second * cell_rows[tie.node];
   }
   double greatest = 0.0;
   int at = -1;

@@ -40,7 +40,7 @@ private:
   std::array<double, 2> stiffest_{};
   std::vector<double> yarn_stiffness_;  // N/mm; greatest dN/dL
   std::vector<char> held_;
-  std::vector<char> tied_;  // ends of arms on the members of a shear frame
+  std::vector<char> tied_;  // nodes that follow others
 };
 
 }  // namespace weaveform

@@ -26,11 +26,20 @@ double integrate(double from, double to, int intervals, const Function& function
   return sum;
 }
 
-// mJ per reference volume of a yarn at true strain e.
+// mJ per reference volume of a yarn at true strain e. With a constant section the integrand s exp(e) is smooth between
+// the joints of the law, so each piece is integrated by itself.
 double yarn_energy(const TangentLaw& law, double compression_modulus, double strain, bool constant_section) {
-  const auto stress = [&](double e) { return e < 0.0 ? compression_modulus * e : law.stress(e); };
   if (!constant_section) return strain < 0.0 ? 0.5 * compression_modulus * strain * strain : law.energy(strain);
-  return integrate(0.0, strain, 8, [&](double e) { return stress(e) * std::exp(e); });
+  if (strain < 0.0) return integrate(0.0, strain, 4, [&](double e) { return compression_modulus * e * std::exp(e); });
+  const auto integrand = [&](double e) { return law.stress(e) * std::exp(e); };
+  double energy = 0.0, from = 0.0;
+  for (const auto& piece : law.pieces()) {
+    const double to = std::min(strain, piece.to);
+    if (to <= from) continue;
+    energy += integrate(from, to, 4, integrand);
+    from = to;
+  }
+  return strain > from ? energy + integrate(from, strain, 4, integrand) : energy;
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ Loading choose_loading(const Scene& scene, const Card& card) {
   double travel = 0.0;
   for (const auto& grip : scene.grip) travel = std::max(travel, std::abs(grip.travel));
   if (scene.frame) travel = std::abs(scene.frame->travel);
-  // A longer way takes longer: inertia forces go with travel / duration^2. Up to an eighth of the blank it costs nothing.
+  // A longer way takes longer: inertia forces go with travel / duration^2. Up to an eighth of the blank it costs
+  // nothing.
   const double way = std::max(1.0, travel / (length / 8.0));
   loading.duration = default_crossings * loading.crossing_time * std::sqrt(way);
   double tool_way = 0.0;  // mm; travelled in the duration at the greatest speed

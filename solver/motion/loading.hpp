@@ -3,7 +3,8 @@
 // The loads of a fabric specimen are a few newtons, so inertia and damping forces of an explicit run show in them long
 // before they show in the energies. Both scale with how often the fabric's slowest wave, in-plane shear at the least
 // tangent of the card, crosses the blank during the run:
-//   tau = L / sqrt(C_min t / (area density)),  duration = crossings * tau * sqrt(max(1, 8 travel/L)),  damping = decays / duration.
+//   tau = L / sqrt(C_min t / (area density)),  duration = crossings * tau * sqrt(max(1, 8 travel/L)),  damping = decays
+//   / duration.
 // The two constants were chosen from measured load errors (docs/theory.md, "Loading speed and damping").
 #pragma once
 

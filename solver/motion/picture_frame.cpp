@@ -83,40 +83,13 @@ std::vector<Grip> make_frame_grips(const FrameSpec& frame, const Mesh& mesh, con
   std::map<int, int> corner_number;
   std::vector<int> nodes(corner.begin(), corner.end());
   for (int k = 0; k < 4; ++k) corner_number[corner[k]] = k;
-  for (const auto& tie : mesh.frame.tie) nodes.push_back(tie.node);
+  for (const auto& tie : mesh.tie) nodes.push_back(tie.node);
   Grip grip = grip_at(frame.grip, nodes, mechanism.along, frame.travel);
   grip.mechanism = mechanism;
   for (int k = 0; k < 4; ++k) grip.mechanism->point.push_back({{k, k}, 0.0});
-  for (const auto& tie : mesh.frame.tie)
-    grip.mechanism->point.push_back({{corner_number[tie.corner[0]], corner_number[tie.corner[1]]}, tie.share});
+  for (const auto& tie : mesh.tie)
+    grip.mechanism->point.push_back({{corner_number[tie.to[0]], corner_number[tie.to[1]]}, tie.share});
   return {grip};
-}
-
-FrameTies::FrameTies(const Mesh& mesh, PackedMesh& packed) {
-  const auto at = [&](int n) { return packed.packed_of_mesh[n]; };
-  for (const auto& tie : mesh.frame.tie) {
-    tie_.push_back({at(tie.node), at(tie.corner[0]), at(tie.corner[1]), tie.share});
-    double& mass = packed.mass[at(tie.node)];
-    packed.mass[at(tie.corner[0])] += (1.0 - tie.share) * mass;
-    packed.mass[at(tie.corner[1])] += tie.share * mass;
-    mass = 0.0;
-  }
-}
-
-void FrameTies::give_forces(State& state) const {
-  for (auto& force : state.force)
-    for (const auto& tie : tie_) {
-      force[tie.first] += (1.0 - tie.share) * force[tie.node];
-      force[tie.second] += tie.share * force[tie.node];
-      force[tie.node] = 0.0;
-    }
-}
-
-void FrameTies::follow(State& state) const {
-  for (int c = 0; c < 3; ++c)
-    for (auto* field : {&state.position[c], &state.velocity[c]})
-      for (const auto& tie : tie_)
-        (*field)[tie.node] = (1.0 - tie.share) * (*field)[tie.first] + tie.share * (*field)[tie.second];
 }
 
 FrameMembers::FrameMembers(const FrameSpec& frame, const Mesh& mesh, const PackedMesh& packed)

@@ -44,21 +44,6 @@ struct FrameMechanism {
 // The grips of a frame: "crosshead" (the scene's name for it), and "base" when the members deform.
 [[nodiscard]] std::vector<Grip> make_frame_grips(const FrameSpec& frame, const Mesh& mesh, const PackedMesh& packed);
 
-// Ties of a deformable frame.
-class FrameTies {
-public:
-  FrameTies(const Mesh& mesh, PackedMesh& packed);  // moves the tied nodes' mass to the corners
-  void give_forces(State& state) const;             // from tied nodes to corners
-  void follow(State& state) const;                  // tied nodes to where their members are
-
-private:
-  struct Tie {
-    int node, first, second;  // packed
-    double share;
-  };
-  std::vector<Tie> tie_;
-};
-
 // Members of a deformable frame: linear elastic trusses, N = E A ln(L/L0) L0/L.
 class FrameMembers : public ForceTerm {
 public:

@@ -30,8 +30,8 @@ public:
   void add_forces(double time, double kick, const std::vector<double>& force,
                   const std::vector<ToolReading>& tools = {});
   // Appends the row of `time`; its forces are filled in when their window closes.
-  void add_row(double time, const std::vector<double>& displacement, const Fields& fields,
-               const EnergyBalance& balance, const std::vector<ToolReading>& tools = {});
+  void add_row(double time, const std::vector<double>& displacement, const Fields& fields, const EnergyBalance& balance,
+               const std::vector<ToolReading>& tools = {});
   // Closes the last window.
   void finish();
 

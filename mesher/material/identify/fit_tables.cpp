@@ -31,6 +31,20 @@ std::string specimen_comment(const Specimens& specimens) {
   return text;
 }
 
+// The axis follows the curves; the band of two specimens would dwarf them, and is cut off instead.
+void show_data(Chart& chart) {
+  double least = 0.0, greatest = 0.0;
+  for (const auto& series : chart.series) {
+    for (const double value : series.y) {
+      least = std::min(least, value);
+      greatest = std::max(greatest, value);
+    }
+  }
+  constexpr double room = 0.08;
+  chart.y.from = least < 0.0 ? least - room * (greatest - least) : 0.0;
+  chart.y.to = greatest + room * (greatest - least);
+}
+
 }  // namespace
 
 std::string yarn_csv(const YarnFit& fit, double crimp) {
@@ -146,6 +160,7 @@ Chart shear_chart(const ShearFit& fit, const std::string& title, double confiden
   }
   if (fit.with_start) chart.series.push_back(std::move(other));
   chart.series.push_back(std::move(line));
+  show_data(chart);
   return chart;
 }
 

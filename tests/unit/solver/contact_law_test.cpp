@@ -1,0 +1,131 @@
+// The contact law of one node, and the culling around it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "solver/contact/contact_kernel.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr double mass = 3e-7;  // tonne
+const ContactLaw law = {.offset = 0.25, .softening = 0.01, .frequency2 = 5e9, .damping_rate = 1e4, .friction = 0.3};
+
+// One node above the plane z = 0.
+struct Node {
+  double x[3] = {0, 0, 0}, v[3] = {0, 0, 0}, anchor[3] = {0, 0, 0}, force[3] = {0, 0, 0};
+  double node_mass = mass, area = 20.0;
+  ContactTool tool{{0, 0, 0}, {0, 0, 0}};
+
+  ContactSums touch(const ContactLaw& its_law, double time = 1e-6) {
+    Distances distances;
+    const ContactNodes nodes = view();
+    plane_distances({.origin = tool.origin, .axis = {0, 0, 1}}, {nodes.x[0], nodes.x[1], nodes.x[2]}, 1, distances);
+    for (double& f : force) f = 0.0;
+    return contact_forces(its_law, tool, distances, time, nodes);
+  }
+  ContactNodes view() {
+    ContactNodes nodes{};
+    nodes.count = 1;
+    nodes.mass = &node_mass;
+    nodes.area = &area;
+    for (int c = 0; c < 3; ++c) {
+      nodes.x[c] = &x[c];
+      nodes.v[c] = &v[c];
+      nodes.force[c] = &force[c];
+      nodes.anchor[c] = &anchor[c];
+    }
+    return nodes;
+  }
+};
+
+TEST(ContactLaw, NormalForceIsTheSlopeOfItsEnergyAndSetsInSmoothly) {
+  Node node;
+  const double h = 1e-7;  // mm
+  for (const double depth : {0.0, 1e-4, 0.005, 0.00999, 0.01001, 0.03, 0.2}) {
+    const auto energy = [&](double d) {
+      node.x[2] = 0.25 - d;
+      return node.touch(law).energy;
+    };
+    const double slope = (energy(depth + h) - energy(depth - h)) / (2 * h);
+    (void)energy(depth);
+    // central difference: error h^2 k/d; energies of 1e-2 mJ round at 1e-18, over h
+    EXPECT_NEAR(node.force[2], slope, 1e-6 + 1e-6 * slope) << depth;
+    EXPECT_GE(node.force[2], 0.0);
+  }
+  node.x[2] = 0.25 + 1e-12;
+  EXPECT_EQ(node.touch(law).area, 0.0);
+  EXPECT_EQ(node.force[2], 0.0);
+}
+
+TEST(ContactLaw, NodeBelowCoulombsLimitSticksAndAboveItFeelsExactlyIt) {
+  Node node;
+  node.x[2] = 0.25 - 0.02;
+  (void)node.touch(law);
+  const double normal = node.force[2], k = law.frequency2 * mass;
+  node.x[0] = 0.5 * law.friction * normal / k;  // half the limit
+  const ContactSums stuck = node.touch(law);
+  EXPECT_NEAR(node.force[0], -0.5 * law.friction * normal, 1e-12 * normal);
+  EXPECT_EQ(stuck.friction_work, 0.0);
+  EXPECT_NEAR(node.anchor[0], 0.0, 1e-15);
+  node.x[0] = 3.0 * law.friction * normal / k;
+  const ContactSums slid = node.touch(law);
+  EXPECT_NEAR(node.force[0], -law.friction * normal, 1e-12 * normal);
+  // limit times the anchor's way of two limit stretches
+  EXPECT_NEAR(slid.friction_work, 2.0 * std::pow(law.friction * normal, 2) / k, 1e-9 * slid.friction_work);
+}
+
+TEST(ContactLaw, NeverPullsAndNeverGivesEnergy) {
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> place(-0.05, 0.05), speed(-3000.0, 3000.0);
+  for (int n = 0; n < 20000; ++n) {
+    Node node;
+    for (int c = 0; c < 3; ++c) {
+      node.x[c] = place(generator);
+      node.v[c] = speed(generator);
+      node.anchor[c] = 0.01 * place(generator);
+    }
+    node.x[2] += 0.25;
+    const ContactSums sums = node.touch(law);
+    ASSERT_GE(node.force[2], 0.0);
+    ASSERT_GE(sums.friction_work, 0.0);
+    ASSERT_GE(sums.damping_work, -1e-18);
+    ASSERT_LE(std::hypot(node.force[0], node.force[1]), law.friction * node.force[2] * (1.0 + 1e-12) + 1e-300);
+  }
+}
+
+TEST(ContactLaw, DoesNotKnowOfACommonMotionOfToolAndNode) {
+  Node still, moved;
+  still.x[2] = 0.24;
+  still.x[0] = 1e-4;
+  still.v[0] = 20.0;
+  moved = still;
+  for (int c = 0; c < 3; ++c) {
+    const double way[3] = {5.0, -3.0, 2.0}, velocity[3] = {100.0, 50.0, -70.0};
+    moved.x[c] += way[c];
+    moved.v[c] += velocity[c];
+    moved.tool.origin[c] += way[c];
+    moved.tool.velocity[c] += velocity[c];
+  }
+  (void)still.touch(law);
+  (void)moved.touch(law);
+  // k times the rounding of coordinates of 5 mm
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(still.force[c], moved.force[c], 1500.0 * 4e-15);
+}
+
+TEST(ContactLaw, NodesThatDoNotExistFeelNothingAndDoNotCount) {
+  Node node;
+  node.node_mass = 0.0;
+  node.x[2] = -5.0;
+  node.v[0] = 1e6;
+  (void)node.touch(law);
+  for (const double f : node.force) EXPECT_EQ(f, 0.0);
+  Distances distances;
+  plane_distances({}, {&node.x[0], &node.x[1], &node.x[2]}, 1, distances);
+  EXPECT_GT(least_gap(distances, 0.25, node.view()), 1e200);
+  EXPECT_EQ(greatest_speed({0, 0, 0}, node.view()), 0.0);
+}
+
+}  // namespace
+}  // namespace weaveform

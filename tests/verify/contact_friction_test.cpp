@@ -1,0 +1,153 @@
+// Coulomb friction against known answers: a block on an incline, a belt over a cylinder, a strip between plates.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/contact_scene.hpp"
+
+namespace weaveform {
+namespace {
+
+using namespace test;
+
+// A square of fabric on a plane, its weight leaning by `slope` = tan(angle).
+Scene incline(double slope, double friction, double duration) {
+  Scene scene = contact_scene({40.0, 40.0}, 2.0);
+  ToolSpec plane = make_tool_spec("plane", "plane");
+  plane.friction = friction;
+  scene.tools = {plane};
+  const double angle = std::atan(slope);
+  scene.analysis.gravity = {gravity * std::sin(angle), 0.0, -gravity * std::cos(angle)};
+  scene.analysis.duration = duration;
+  scene.analysis.damping = 0.0;
+  return scene;
+}
+
+double slid(const Scene& scene) {
+  const Mesh mesh = build_mesh(scene, load_card(scene.fabric.material));
+  return mean_displacement(mesh, run(scene).position)[0];
+}
+
+TEST(Incline, BelowTheFrictionAngleTheBlockStaysForEver) {
+  const double early = slid(incline(0.28, 0.3, 0.2)), late = slid(incline(0.28, 0.3, 0.4));
+  // It settles on its spring by m g sin / k, some 1e-6 mm, within the first bounces; then only rounding is left, and
+  // free fall over the rest would be 200 mm.
+  EXPECT_NEAR(early, late, 1e-9);
+  EXPECT_LT(late, 1e-4);
+}
+
+TEST(Incline, AboveTheFrictionAngleTheBlockSlidesWithTheRightAcceleration) {
+  for (const double friction : {0.0, 0.1, 0.3}) {
+    const double slope = 0.4, duration = 0.1, cosine = 1.0 / std::sqrt(1.0 + slope * slope);
+    const double acceleration = gravity * cosine * (slope - friction);
+    const double expected = 0.5 * acceleration * duration * duration;
+    // The first bounces, when the weight is not yet carried, and leapfrog's half step at the start: below 1e-3 of it.
+    EXPECT_NEAR(slid(incline(slope, friction, duration)), expected, 1e-3 * expected) << friction;
+  }
+}
+
+// A strip laid over a cylinder: straight, `wrap` radians about it, straight; nodes on a polygon with sides of one cell,
+// its corners at `radius`.
+void lay_over(Mesh& mesh, double radius, double wrap) {
+  const double side = mesh.spacing[0], turn = 2.0 * std::asin(0.5 * side / radius);
+  const int corners = static_cast<int>(std::lround(wrap / turn));  // odd: a corner at the top
+  const auto corner = [&](int n) {
+    const int half = (corners - 1) / 2;
+    const int on_arc = std::clamp(n, -half, half);
+    std::array<double, 2> p = {radius * std::sin(on_arc * turn), radius * std::cos(on_arc * turn)};
+    const double direction = (n > 0 ? 1.0 : -1.0) * (half + 0.5) * turn;
+    p[0] += (n > 0 ? 1.0 : -1.0) * std::abs(n - on_arc) * side * std::cos(direction);
+    p[1] -= std::abs(n - on_arc) * side * std::abs(std::sin(direction));
+    return p;
+  };
+  for (auto& x : mesh.nodes.position) {
+    const double s = x[0] / side;
+    const int n = static_cast<int>(std::floor(s));
+    const auto a = corner(n), b = corner(n + 1);
+    x[0] = a[0] + (s - n) * (b[0] - a[0]);
+    x[2] = a[1] + (s - n) * (b[1] - a[1]);
+  }
+}
+
+TEST(Capstan, TensionGrowsByTheExponentialOfFrictionTimesAngle) {
+  for (const double friction : {0.1, 0.3}) {
+    Scene scene = contact_scene({300.0, 20.0}, 1.0);
+    scene.blank.phase = {0.0, 0.0};
+    scene.blank.fit = "none";
+    const Card card = load_card(scene.fabric.material);
+    GripSpec pulled, held;
+    pulled.name = "pulled";
+    pulled.edge = "right";
+    held.name = "held";
+    held.edge = "left";
+    scene.grip = {held, pulled};
+    Mesh mesh = build_mesh(scene, card);
+    const double radius = 50.0, middle = radius + 0.5 * card.thickness;
+    const double turn = 2.0 * std::asin(0.5 * mesh.spacing[0] / middle);
+    const int corners = 21;
+    lay_over(mesh, middle, corners * turn);
+    const double angle = corners * turn;  // between the straight ends
+    ToolSpec cylinder = make_tool_spec("cylinder", "cylinder");
+    cylinder.radius = radius;
+    cylinder.axis = {0.0, 1.0, 0.0};
+    cylinder.position = {{0.0, 0.0, 0.0}};
+    cylinder.friction = friction;
+    scene.tools = {cylinder};
+    pulled.travel = 12.0;
+    pulled.direction = {{std::cos(0.5 * angle), 0.0, -std::sin(0.5 * angle)}};
+    held.travel = -9.0;  // follows, 3 mm short: the belt is 1 % longer in the end and slides all along
+    held.direction = {{-std::cos(0.5 * angle), 0.0, -std::sin(0.5 * angle)}};
+    scene.grip = {held, pulled};
+    scene.analysis.duration = 0.15;
+    scene.analysis.damping = 10.0;
+    const History history = solve(mesh, scene, card, "", {.threads = 1, .quiet = true}).history;
+    // while all of it slides; the belt's inertia is 1e-3 of its tension there
+    for (const double part : {0.7, 0.8, 0.9}) {
+      const double ratio = at_part(history, "pulled.force_N", part) / at_part(history, "held.force_N", part);
+      EXPECT_NEAR(ratio, std::exp(friction * angle), 0.01 * ratio) << friction << " at " << part;
+    }
+  }
+}
+
+// Two plates, the upper one pushed by a force.
+Scene press(double force) {
+  Scene scene = contact_scene({100.0, 100.0}, 4.0);
+  ToolSpec lower = make_tool_spec("lower", "plane"), upper = make_tool_spec("upper", "plane");
+  upper.axis = {0.0, 0.0, -1.0};
+  upper.force = force;
+  lower.friction = upper.friction = 0.3;
+  scene.tools = {lower, upper};
+  return scene;
+}
+
+TEST(Press, ForceInIsForceOutAtEveryMoment) {
+  Scene scene = press(100.0);
+  scene.analysis.duration = 0.05;
+  const SolveResult result = run(scene);
+  for (const double part : {0.02, 0.05, 0.2, 0.5, 1.0}) {
+    EXPECT_NEAR(at_part(result.history, "upper.force_N", part), 100.0, 0.1) << part;
+    EXPECT_NEAR(at_part(result.history, "lower.force_N", part), 100.0, 0.1) << part;
+  }
+  EXPECT_LT(result.statistics.contact_penetration, 0.1);
+  EXPECT_LT(result.statistics.energy_error, 0.02);
+}
+
+TEST(Press, PullingTheStripOutTakesFrictionOnBothFaces) {
+  Scene scene = press(100.0);
+  GripSpec grip;
+  grip.name = "pull";
+  grip.edge = "right";
+  grip.travel = 10.0;
+  grip.free = {"z"};
+  scene.grip = {grip};
+  scene.analysis.duration = 0.2;
+  scene.analysis.damping = 10.0;
+  const SolveResult result = run(scene);
+  for (const double part : {0.5, 0.7, 0.9})  // all of it slides; what the gripped edge rests on is not friction's
+    EXPECT_NEAR(at_part(result.history, "pull.force_N", part), 2.0 * 0.3 * 100.0, 0.6) << part;
+  EXPECT_LT(result.statistics.energy_error, 0.02);
+}
+
+}  // namespace
+}  // namespace weaveform
