@@ -6,6 +6,9 @@
 #include <vtkExecutive.h>
 #include <vtkNew.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace weaveform::mesh_format {
@@ -18,6 +21,18 @@ namespace weaveform::mesh_format {
 //   field data   spacing_mm, lattice_size, thickness_mm, coefficient_per_mm (two per entry of the shear cells'
 //                connectivity), tie_node (node, the two it follows), tie_share, frame_corner (4 nodes, -1: no frame)
 inline const std::string set_prefix = "set_";
+
+// VTK checks its stream while it writes but not when it closes it: only the closing tag proves that all of it arrived.
+inline bool ends_with_closing_tag(const std::filesystem::path& file) {
+  const std::string tag = "</VTKFile>";
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (!in) return false;
+  const std::streamoff length = std::min<std::streamoff>(in.tellg(), 64);
+  in.seekg(-length, std::ios::end);
+  std::string tail(static_cast<std::size_t>(length), '\0');
+  in.read(tail.data(), length);
+  return in.gcount() == length && tail.find(tag) != std::string::npos;
+}
 
 // VTK speaks of its errors to observers only; this one keeps the first.
 class ErrorListener {

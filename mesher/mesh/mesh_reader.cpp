@@ -71,7 +71,7 @@ Grid read_grid(const std::filesystem::path& file) {
   reader->SetFileName(file.c_str());
   reader->Update();
   Grid grid = reader->GetOutput();
-  if (errors.heard() || reader->GetErrorCode() != 0 || grid == nullptr)
+  if (errors.heard() || reader->GetErrorCode() != 0 || grid == nullptr || !mesh_format::ends_with_closing_tag(file))
     throw FileError(
         fmt::format("{}: not a readable .vtu file, or cut short; make it again with 'weaveform mesh'", file.string()));
   return grid;

@@ -31,6 +31,7 @@ namespace weaveform {
 
 namespace {
 
+using mesh_format::ends_with_closing_tag;
 using mesh_format::ErrorListener;
 using mesh_format::set_prefix;
 
@@ -158,18 +159,6 @@ void put_ties(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   }
   for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{corner, node, share})
     grid.GetFieldData()->AddArray(array);
-}
-
-// VTK checks its stream while it writes but not when it closes it: only the closing tag proves that all of it arrived.
-bool ends_with_closing_tag(const std::filesystem::path& file) {
-  const std::string tag = "</VTKFile>";
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  if (!in) return false;
-  const std::streamoff length = std::min<std::streamoff>(in.tellg(), 64);
-  in.seekg(-length, std::ios::end);
-  std::string tail(static_cast<std::size_t>(length), '\0');
-  in.read(tail.data(), length);
-  return in.gcount() == length && tail.find(tag) != std::string::npos;
 }
 
 bool write_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& file) {

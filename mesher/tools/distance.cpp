@@ -33,23 +33,33 @@ template <class Meridian>
 
 constexpr double tiny = 1e-300;  // keeps 0/0 out; mm or mm^2
 
-// mm^2; of the point nearest to the axis.
-double least_radius_squared(const Placement& place, const Coordinates& x, int count) {
+// Least of `count` values.
+double least(const double (&values)[points_at_a_time], int count) {
   constexpr int lanes = 8;
-  constexpr double far = 1e300;
-  double square[points_at_a_time], lane[lanes];
-  for (int n = 0; n < points_at_a_time; ++n) square[n] = far;
-  for (int l = 0; l < lanes; ++l) lane[l] = far;
+  double lane[lanes];
+  for (int l = 0; l < lanes; ++l) lane[l] = values[0];
+  int n = 0;
+  for (; n + lanes <= count; n += lanes)
+    for (int l = 0; l < lanes; ++l) lane[l] = lane[l] < values[n + l] ? lane[l] : values[n + l];
+  double result = values[0];
+  for (; n < count; ++n) result = result < values[n] ? result : values[n];
+  for (int l = 0; l < lanes; ++l) result = result < lane[l] ? result : lane[l];
+  return result;
+}
+
+// Whether the plate's face is nearest to all points: out of the fillet's reach, and not so deep that the opening's wall
+// is nearer.
+bool face_is_nearest(const Placement& place, double opening_radius, double fillet_radius, const Coordinates& x,
+                     int count) {
+  double square[points_at_a_time], height[points_at_a_time];
   for (int n = 0; n < count; ++n) {
     const double dx = x[0][n] - place.origin[0], dy = x[1][n] - place.origin[1], dz = x[2][n] - place.origin[2];
-    const double z = dx * place.axis[0] + dy * place.axis[1] + dz * place.axis[2];
-    square[n] = dx * dx + dy * dy + dz * dz - z * z;
+    height[n] = dx * place.axis[0] + dy * place.axis[1] + dz * place.axis[2];
+    square[n] = dx * dx + dy * dy + dz * dz - height[n] * height[n];
   }
-  for (int n = 0; n < points_at_a_time; n += lanes)
-    for (int l = 0; l < lanes; ++l) lane[l] = lane[l] < square[n + l] ? lane[l] : square[n + l];
-  double least = lane[0];
-  for (int l = 1; l < lanes; ++l) least = least < lane[l] ? least : lane[l];
-  return least;
+  const double deepest = -least(height, count);
+  const double radius = opening_radius + (deepest > fillet_radius ? deepest : fillet_radius);
+  return least(square, count) >= radius * radius;
 }
 
 }  // namespace
@@ -77,7 +87,7 @@ void ring_distances(const Placement& place, double opening_radius, double fillet
                     int count, Distances& out) {
   const double f = fillet_radius, a = opening_radius;
   // most blocks of a blank lie on the plate, where roots and quotients can be spared
-  if (least_radius_squared(place, x, count) >= (a + f) * (a + f)) return plane_distances(place, x, count, out);
+  if (face_is_nearest(place, a, f, x, count)) return plane_distances(place, x, count, out);
   measure(place, x, count, out, [a, f](double r2, double z) {
     const double r = std::sqrt(r2), inverse_r = 1.0 / (r > tiny ? r : tiny);
     const double u = a + f - r, w = z + f;

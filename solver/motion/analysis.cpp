@@ -211,6 +211,15 @@ void Analysis::move(bool last) {
   step_before_ = step;
 }
 
+// Part of the travel made, the least of all grips and tools.
+double Analysis::travelled() const {
+  const double part = fields_.time / duration_;
+  double least = smooth_step(part);
+  for (const auto& tool : scene_.tools)
+    if (!tool.speed.empty()) least = std::min(least, travel_part(tool.speed, part));
+  return least;
+}
+
 const std::vector<ToolReading>& Analysis::tool_readings() const {
   static const std::vector<ToolReading> none;
   return contact_ != nullptr ? contact_->readings() : none;
@@ -224,7 +233,7 @@ void Analysis::close_row() {
   recorder_.add_row(fields_.time, displacement_, fields_, balance_, tool_readings());
   if (fields_.time > start_fraction * duration_) {
     worst_error_ = std::max(worst_error_, error);
-    const bool under_way = smooth_step(fields_.time / duration_) > start_travel;
+    const bool under_way = travelled() > start_travel;
     if (under_way && balance_.internal > 0.0)
       worst_ratio_ = std::max(worst_ratio_, balance_.kinetic / balance_.internal);
     if (!(error <= scene_.analysis.energy_limit))

@@ -31,10 +31,10 @@ double slid(const Scene& scene) {
 
 TEST(Incline, BelowTheFrictionAngleTheBlockStaysForEver) {
   const double early = slid(incline(0.28, 0.3, 0.2)), late = slid(incline(0.28, 0.3, 0.4));
-  // It settles on its spring by m g sin / k, some 1e-6 mm, within the first bounces; then only rounding is left, and
-  // free fall over the rest would be 200 mm.
+  // Let fall on the plane, it settles within some bounces of 1e-3 mm. Then only rounding is left; without friction it
+  // would slide 550 mm between the two times.
   EXPECT_NEAR(early, late, 1e-9);
-  EXPECT_LT(late, 1e-4);
+  EXPECT_LT(late, 1e-2);
 }
 
 TEST(Incline, AboveTheFrictionAngleTheBlockSlidesWithTheRightAcceleration) {

@@ -80,12 +80,33 @@ TEST(LatticeStep, OnlyStubsAreSoftenedAndOnlyHeldOnesReachIntoJaws) {
     for (int e = 0; e < mesh.yarn_count(); ++e) {
       const bool stub = elements[mesh.yarns.node[e][0]] == 1 || elements[mesh.yarns.node[e][1]] == 1;
       EXPECT_TRUE(stub || (mesh.yarns.softening[e] == 1.0 && mesh.yarns.jaw[e] == 0.0)) << a.name << " element " << e;
-      EXPECT_TRUE(mesh.yarns.softening[e] > 0.0 && mesh.yarns.softening[e] <= 1.0) << a.name << " element " << e;
+      EXPECT_TRUE(mesh.yarns.softening[e] >= 0.0 && mesh.yarns.softening[e] <= 1.0) << a.name << " element " << e;
+      const bool tied = std::any_of(mesh.tie.begin(), mesh.tie.end(), [&](const MeshTie& tie) {
+        return tie.node == mesh.yarns.node[e][0] || tie.node == mesh.yarns.node[e][1];
+      });
+      EXPECT_EQ(mesh.yarns.softening[e] == 0.0, tied) << a.name << " element " << e;
       EXPECT_TRUE(mesh.yarns.jaw[e] >= 0.0 && (mesh.yarns.jaw[e] == 0.0 || mesh.yarns.softening[e] == 1.0))
           << a.name << " element " << e;
       EXPECT_TRUE(!a.scene.grip.empty() || mesh.yarns.jaw[e] == 0.0) << a.name;
     }
   }
+}
+
+TEST(LatticeStep, FreeEndsAreTiedInLineWithTheirYarn) {
+  std::size_t ties = 0;
+  for (const auto& a : zoo()) {
+    const Mesh mesh = build_mesh(a.scene, a.card);
+    ties += mesh.tie.size();
+    for (const auto& tie : mesh.tie) {
+      ASSERT_LT(tie.share, 0.0) << a.name;
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(mesh.nodes.position[tie.node][c],
+                    (1.0 - tie.share) * mesh.nodes.position[tie.to[0]][c] + tie.share * mesh.nodes.position[tie.to[1]][c],
+                    1e-9)
+            << a.name;
+    }
+  }
+  EXPECT_GT(ties, 1000U);
 }
 
 TEST(LatticeStep, EveryNodeHasMass) {

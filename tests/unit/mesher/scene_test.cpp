@@ -59,6 +59,14 @@ Scene unusual_scene() {
                     .energy_limit = 0.01,
                     .perturbation = 1e-3,
                     .perturbation_seed = 42};
+  scene.frame = {.length = 300.5,
+                 .travel = -7,
+                 .grip = "corner",
+                 .rigid = true,
+                 .section = 12,
+                 .modulus = 1e5,
+                 .density = 1e-9,
+                 .mass_scale = 0.5};
   scene.output = {.frames = 3, .history = 17, .contour_step = 2.5};
   scene.measure = {{.name = "a", .box = {{-1, -1, 1, 1}}, .relative_box = {}},
                    {.name = "b", .box = {}, .relative_box = {{-0.1, -0.1, 0.1, 0.1}}}};
@@ -81,7 +89,10 @@ TEST(Scene, EchoReadsBackToTheSameBits) {
 
 TEST(Scene, EchoHoldsEveryKeyWithAValue) {
   const std::string echo = scene_to_toml(unusual_scene());
-  for (const auto& key : scene_keys()) EXPECT_NE(echo.find("\n" + key.name + " = "), std::string::npos) << key.name;
+  for (const auto& key : scene_keys()) {
+    if (key.table.rfind("tools", 0) == 0) continue;  // a tool echoes the keys of its own shape
+    EXPECT_NE(echo.find("\n" + key.name + " = "), std::string::npos) << key.name;
+  }
 }
 
 TEST(Scene, ReferenceHoldsEveryKeyWithItsMeaning) {
