@@ -51,6 +51,7 @@ std::string post_process(const fs::path& directory) {
   Summary summary;
   summary.statistics = read_statistics(directory / "solve.json");
   summary.grip = summarise_grips(scene, history);
+  summary.tool = summarise_tools(scene, history);
   summary.measure = summarise_measures(scene, history);
   if (const auto specimen = find_bias_extension(scene))
     summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);

@@ -229,11 +229,15 @@ std::vector<double> chart_ticks(double from, double to, AxisScale scale, int wan
   std::vector<double> ticks;
   if (scale == AxisScale::linear) {
     const double step = linear_step(from, to, wanted);
-    for (double n = std::ceil(from / step - 1e-9); n * step <= to + 1e-9 * step; n += 1.0) ticks.push_back(n * step);
+    const auto first = static_cast<long>(std::ceil(from / step - 1e-9));
+    const auto last = static_cast<long>(std::floor(to / step + 1e-9));
+    for (long n = first; n <= last; ++n) ticks.push_back(static_cast<double>(n) * step);
     return ticks;
   }
   const bool few = std::log10(to / from) < 3.0;
-  for (double power = std::floor(std::log10(from) + 1e-9); power <= std::log10(to) + 1e-9; power += 1.0) {
+  const int first = static_cast<int>(std::floor(std::log10(from) + 1e-9));
+  const int last = static_cast<int>(std::floor(std::log10(to) + 1e-9));
+  for (int power = first; power <= last; ++power) {
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double tick = factor * std::pow(10.0, power);
       if ((few || factor == 1.0) && tick >= from * (1.0 - 1e-9) && tick <= to * (1.0 + 1e-9)) ticks.push_back(tick);

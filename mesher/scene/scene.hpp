@@ -24,9 +24,9 @@ struct BlankSpec {
   double yarn_angle = 45.0;                     // deg; from the blank's x axis to the warp direction, counter-clockwise
   std::array<double, 2> coarsening = {1.0, 1.0};  // yarns per model yarn, for warp and for weft yarns
   std::array<double, 2> phase = {
-      0.0, 0.0};             // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
+      0.0, 0.0};              // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
   std::string fit = "grips";  // "grips": spacing (within 15 %) and phase meet the ends of the gripped edges; "none"
-  double orientation = 0.0;  // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
+  double orientation = 0.0;   // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
   std::array<double, 3> position = {0.0, 0.0, 0.0};  // mm; where the blank's centre lies in the world
   bool operator==(const BlankSpec&) const = default;
 };
@@ -56,29 +56,29 @@ struct GripSpec {
 
 // A pin-jointed shear frame around a square blank whose yarns run on to the frame through arms without cross yarns.
 struct FrameSpec {
-  double length = 216.0;         // mm; L_F, between the pins
-  double travel = 60.0;          // mm; of the pulled corner along the diagonal, smooth step
+  double length = 216.0;           // mm; L_F, between the pins
+  double travel = 60.0;            // mm; of the pulled corner along the diagonal, smooth step
   std::string grip = "crosshead";  // name of the pulled corner
-  bool rigid = false;            // members that do not stretch and have no mass: one degree of freedom, the travel
-  double section = 500.0;        // mm^2; of a member
-  double modulus = 70000.0;      // MPa; aluminium
-  double density = 2.7e-9;       // tonne/mm^3; aluminium
-  double mass_scale = 1.0;       // factor on the members' mass; the change is reported
+  bool rigid = false;              // members that do not stretch and have no mass: one degree of freedom, the travel
+  double section = 500.0;          // mm^2; of a member
+  double modulus = 70000.0;        // MPa; aluminium
+  double density = 2.7e-9;         // tonne/mm^3; aluminium
+  double mass_scale = 1.0;         // factor on the members' mass; the change is reported
   bool operator==(const FrameSpec&) const = default;
 };
 
 // A rigid tool. It does not turn; it travels, is pushed by a force, or stays.
 struct ToolSpec {
-  std::string name;                               // of its table, [tools.NAME]
-  std::string shape;                              // "plane", "sphere", "cylinder", "ring", "revolved", "triangles"
-  std::optional<std::array<double, 3>> position;  // mm; of the shape's origin; none: touching the flat blank
-  std::array<double, 3> axis = {0.0, 0.0, 1.0};   // outward normal of a plane or ring, shank of a sphere, ...
-  Auto radius;                                    // mm; sphere, cylinder
-  Auto opening_radius;                            // mm; ring
-  double fillet_radius = 0.0;                     // mm; ring: of the opening's rim
-  std::vector<std::vector<double>> profile;       // mm; revolved: corners (mesher/tools/profile.hpp)
-  std::string file;                               // triangles: STL file, relative to the scene file
-  double travel = 0.0;                            // mm; along direction over the duration
+  std::string name;                                // of its table, [tools.NAME]
+  std::string shape;                               // "plane", "sphere", "cylinder", "ring", "revolved", "triangles"
+  std::optional<std::array<double, 3>> position;   // mm; of the shape's origin; none: touching the flat blank
+  std::array<double, 3> axis = {0.0, 0.0, 1.0};    // outward normal of a plane or ring, shank of a sphere, ...
+  Auto radius;                                     // mm; sphere, cylinder
+  Auto opening_radius;                             // mm; ring
+  double fillet_radius = 0.0;                      // mm; ring: of the opening's rim
+  std::vector<std::vector<double>> profile;        // mm; revolved: corners (mesher/tools/profile.hpp)
+  std::string file;                                // triangles: STL file, relative to the scene file
+  double travel = 0.0;                             // mm; along direction over the duration
   std::optional<std::array<double, 3>> direction;  // of travel or force; none: the way the tool faces
   std::vector<std::vector<double>> speed;          // [part of the duration, relative speed] points; none: smooth step
   Auto force;                                      // N; pushes the tool along direction, which then moves as it must
@@ -90,15 +90,15 @@ struct ToolSpec {
 };
 
 struct AnalysisSpec {
-  Auto duration;               // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
-  Auto loading_speed;          // mm/s; greatest speed of any grip; an alternative to duration
-  double step_factor = 0.9;    // fraction of the stable step
-  bool step_check = true;      // stop when the step is above the stable one
-  Auto damping;                // 1/s; mass-proportional; auto: chosen from the duration
+  Auto duration;                 // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
+  Auto loading_speed;            // mm/s; greatest speed of any grip; an alternative to duration
+  double step_factor = 0.9;      // fraction of the stable step
+  bool step_check = true;        // stop when the step is above the stable one
+  Auto damping;                  // 1/s; mass-proportional; auto: chosen from the duration
   double yarn_viscosity = 0.06;  // 1; fraction of critical damping of the yarn elements' highest frequency
-  double energy_limit = 0.05;  // the run fails when the energy-balance error passes this fraction
+  double energy_limit = 0.05;    // the run fails when the energy-balance error passes this fraction
   std::array<double, 3> gravity = {0.0, 0.0, 0.0};  // mm/s^2; acceleration of the fabric by its weight
-  double perturbation = 0.0;   // mm; random in-plane displacement of every free node at the start
+  double perturbation = 0.0;                        // mm; random in-plane displacement of every free node at the start
   int perturbation_seed = 1;
   bool operator==(const AnalysisSpec&) const = default;
 };

@@ -101,14 +101,16 @@ const std::vector<Key<ToolSpec>> tool_keys = {
     key<&ToolSpec::position>(
         {.name = "position",
          .unit = "mm",
-         .doc = "of the shape's origin: a point of the plane, the centre of the sphere, a point of the cylinder's axis, "
-                "the centre of the ring's face, r = z = 0 of the profile, the origin of the STL file. Left out for a "
-                "plane, sphere or ring with its axis along z: touching the flat blank at its centre, a sphere tip "
-                "first, a plane or ring by its face"}),
+         .doc =
+             "of the shape's origin: a point of the plane, the centre of the sphere, a point of the cylinder's axis, "
+             "the centre of the ring's face, r = z = 0 of the profile, the origin of the STL file. Left out for a "
+             "plane, sphere or ring with its axis along z: touching the flat blank at its centre, a sphere tip "
+             "first, a plane or ring by its face"}),
     key<&ToolSpec::axis>({.name = "axis",
                           .unit = "1",
-                          .doc = "outward normal of a plane or of a ring's face; from a sphere's centre into its shank; "
-                                 "axis of a cylinder or profile; any length but zero. Triangles do not use it"}),
+                          .doc =
+                              "outward normal of a plane or of a ring's face; from a sphere's centre into its shank; "
+                              "axis of a cylinder or profile; any length but zero. Triangles do not use it"}),
     key<&ToolSpec::radius>(
         {.name = "radius", .unit = "mm", .limits = above(0), .doc = "of a sphere or cylinder, which need it"}),
     key<&ToolSpec::opening_radius>(
@@ -118,34 +120,40 @@ const std::vector<Key<ToolSpec>> tool_keys = {
     key<&ToolSpec::profile>(
         {.name = "profile",
          .unit = "mm",
-         .doc = "of a revolved tool: corners in the half-plane (r, z) with the material on the left: [r, z] a line "
-                "leads here, [r, z, radius] a rounded corner, [r, z, cr, cz] an arc about (cr, cz) leads here; the first "
-                "and last line go on for ever beyond an end off the axis"}),
+         .doc =
+             "of a revolved tool: corners in the half-plane (r, z) with the material on the left: [r, z] a line "
+             "leads here, [r, z, radius] a rounded corner, [r, z, cr, cz] an arc about (cr, cz) leads here; the first "
+             "and last line go on for ever beyond an end off the axis"}),
     key<&ToolSpec::file>(
         {.name = "file",
          .doc = "STL surface of a tool of triangles, mm, outside counter-clockwise; relative to the scene file"}),
-    key<&ToolSpec::travel>(
-        {.name = "travel", .unit = "mm", .doc = "way along `direction` over the duration; 0 stays, or follows `force`"}),
+    key<&ToolSpec::travel>({.name = "travel",
+                            .unit = "mm",
+                            .doc = "way along `direction` over the duration; 0 stays, or follows `force`"}),
     key<&ToolSpec::direction>(
         {.name = "direction",
          .unit = "1",
-         .doc = "of travel, force and of the force recorded in history.csv; any length but zero. Left out: the axis of a "
-                "plane or ring (the way it faces), against the axis of a sphere, [0, 0, -1] for the others"}),
+         .doc =
+             "of travel, force and of the force recorded in history.csv; any length but zero. Left out: the axis of a "
+             "plane or ring (the way it faces), against the axis of a sphere, [0, 0, -1] for the others"}),
     key<&ToolSpec::speed>({.name = "speed",
                            .unit = "1",
                            .limits = at_least(0),
-                           .doc = "points [part of the duration, relative speed], joined by straight lines and scaled so "
-                                  "that the way is `travel`; left out: smooth step"}),
+                           .doc =
+                               "points [part of the duration, relative speed], joined by straight lines and scaled so "
+                               "that the way is `travel`; left out: smooth step"}),
     key<&ToolSpec::force>({.name = "force",
                            .unit = "N",
                            .limits = at_least(0),
-                           .doc = "pushes the tool along `direction`, all of it after the first 3 % of the duration; it moves as the fabric lets it, along "
+                           .doc = "pushes the tool along `direction`, all of it after the first 3 % of the duration; "
+                                  "it moves as the fabric lets it, along "
                                   "`direction` only"}),
     key<&ToolSpec::mass>({.name = "mass",
                           .unit = "tonne",
                           .limits = above(0),
-                          .doc = "of a tool pushed by a force; auto: that of the blank, which neither sets the step nor "
-                                 "lags behind it"}),
+                          .doc =
+                              "of a tool pushed by a force; auto: that of the blank, which neither sets the step nor "
+                              "lags behind it"}),
     key<&ToolSpec::damping>(
         {.name = "damping",
          .unit = "1/s",
@@ -289,7 +297,8 @@ SceneTable named_tables(const std::string& name, const std::vector<Key<Spec>>& k
     for (const auto& [given, item] : *group) {
       const std::string title = name + "." + std::string(given.str());
       if (!is_identifier(given.str())) {
-        complaints.add(item, "[" + title + "]: a name begins with a letter and holds only letters, digits, '_' and '-'");
+        complaints.add(item,
+                       "[" + title + "]: a name begins with a letter and holds only letters, digits, '_' and '-'");
       } else if (!item.is_table()) {
         complain_named(item, name, complaints);
       } else {

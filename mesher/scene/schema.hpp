@@ -13,7 +13,7 @@
 namespace weaveform {
 
 struct SceneTable {
-  std::string name;   // "blank"
+  std::string name;    // "blank"
   bool many = false;   // [[grip]]: a list of tables, each with a name
   bool named = false;  // [tools.NAME]: a table of tables
   std::string doc;

@@ -33,33 +33,28 @@ template <class Meridian>
 
 constexpr double tiny = 1e-300;  // keeps 0/0 out; mm or mm^2
 
-// Least of `count` values.
-double least(const double (&values)[points_at_a_time], int count) {
-  constexpr int lanes = 8;
-  double lane[lanes];
-  for (int l = 0; l < lanes; ++l) lane[l] = values[0];
-  int n = 0;
-  for (; n + lanes <= count; n += lanes)
-    for (int l = 0; l < lanes; ++l) lane[l] = lane[l] < values[n + l] ? lane[l] : values[n + l];
-  double result = values[0];
-  for (; n < count; ++n) result = result < values[n] ? result : values[n];
-  for (int l = 0; l < lanes; ++l) result = result < lane[l] ? result : lane[l];
-  return result;
-}
-
-// Whether the plate's face is nearest to all points: out of the fillet's reach, and not so deep that the opening's wall
-// is nearer.
-bool face_is_nearest(const Placement& place, double opening_radius, double fillet_radius, const Coordinates& x,
-                     int count) {
-  double square[points_at_a_time], height[points_at_a_time];
+// Fills in the distances from the plate's face; true when nothing nearer is near: all points are out of the fillet's
+// reach, and none so deep that the opening's wall is nearer. So it is for most blocks of a blank, and roots and
+// quotients are spared.
+bool face_distances(const Placement& place, double opening_radius, double fillet_radius, const Coordinates& x,
+                    int count, Distances& out) {
+  const double ox = place.origin[0], oy = place.origin[1], oz = place.origin[2];
+  const double ax = place.axis[0], ay = place.axis[1], az = place.axis[2];
+  const double *px = x[0], *py = x[1], *pz = x[2];
+  double lowest = 1e300, least_square = 1e300;  // mm, mm^2
+#pragma omp simd reduction(min : lowest, least_square)
   for (int n = 0; n < count; ++n) {
-    const double dx = x[0][n] - place.origin[0], dy = x[1][n] - place.origin[1], dz = x[2][n] - place.origin[2];
-    height[n] = dx * place.axis[0] + dy * place.axis[1] + dz * place.axis[2];
-    square[n] = dx * dx + dy * dy + dz * dz - height[n] * height[n];
+    const double dx = px[n] - ox, dy = py[n] - oy, dz = pz[n] - oz;
+    const double z = dx * ax + dy * ay + dz * az, square = dx * dx + dy * dy + dz * dz - z * z;
+    out.distance[n] = z;
+    out.normal[0][n] = ax;
+    out.normal[1][n] = ay;
+    out.normal[2][n] = az;
+    lowest = z < lowest ? z : lowest;
+    least_square = square < least_square ? square : least_square;
   }
-  const double deepest = -least(height, count);
-  const double radius = opening_radius + (deepest > fillet_radius ? deepest : fillet_radius);
-  return least(square, count) >= radius * radius;
+  const double radius = opening_radius + (-lowest > fillet_radius ? -lowest : fillet_radius);
+  return least_square >= radius * radius;
 }
 
 }  // namespace
@@ -86,8 +81,7 @@ void cylinder_distances(const Placement& place, double radius, const Coordinates
 void ring_distances(const Placement& place, double opening_radius, double fillet_radius, const Coordinates& x,
                     int count, Distances& out) {
   const double f = fillet_radius, a = opening_radius;
-  // most blocks of a blank lie on the plate, where roots and quotients can be spared
-  if (face_is_nearest(place, a, f, x, count)) return plane_distances(place, x, count, out);
+  if (face_distances(place, a, f, x, count, out)) return;
   measure(place, x, count, out, [a, f](double r2, double z) {
     const double r = std::sqrt(r2), inverse_r = 1.0 / (r > tiny ? r : tiny);
     const double u = a + f - r, w = z + f;

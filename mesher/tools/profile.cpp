@@ -165,7 +165,8 @@ Profile make_profile(const std::vector<std::vector<double>>& corners, const std:
   }
   auto &first = profile.piece.front(), &last = profile.piece.back();
   if ((first.radius != 0.0 && first.start[0] > same_point) || (last.radius != 0.0 && last.end[0] > same_point))
-    throw InputError(where + ": the outline ends on an arc; begin and end it on the axis or with a line, which goes on");
+    throw InputError(where +
+                     ": the outline ends on an arc; begin and end it on the axis or with a line, which goes on");
   first.endless[0] = first.radius == 0.0 && first.start[0] > same_point;
   last.endless[1] = last.radius == 0.0 && last.end[0] > same_point;
   return profile;

@@ -25,6 +25,19 @@ double last_value(const History& history, const std::string& column) {
   return values.back();
 }
 
+GripSummary summarise_motion(const std::string& name, const History& history) {
+  const std::vector<double> force = history.values(name + ".force_N");
+  const double displacement = last_value(history, name + ".displacement_mm");
+  const auto largest =
+      std::max_element(force.begin(), force.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return {name, displacement, force.back(), *largest};
+}
+
+Json motion_json(const GripSummary& motion) {
+  return {
+      {"displacement_mm", motion.displacement}, {"force_N", motion.force}, {"largest_force_N", motion.largest_force}};
+}
+
 Json zones_json(const BiasComparison& bias) {
   Json zones = Json::object();
   for (std::size_t z = 0; z < zone_name.size(); ++z)
@@ -70,13 +83,14 @@ void add_bias(Json& json, const BiasComparison& bias, const std::vector<MeasureS
 
 std::vector<GripSummary> summarise_grips(const Scene& scene, const History& history) {
   std::vector<GripSummary> summary;
-  for (const GripSpec& grip : scene.grip) {
-    const std::vector<double> force = history.values(grip.name + ".force_N");
-    const auto largest =
-        std::max_element(force.begin(), force.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    summary.push_back({grip.name, last_value(history, grip.name + ".displacement_mm"),
-                       last_value(history, grip.name + ".force_N"), *largest});
-  }
+  for (const GripSpec& grip : scene.grip) summary.push_back(summarise_motion(grip.name, history));
+  return summary;
+}
+
+std::vector<ToolSummary> summarise_tools(const Scene& scene, const History& history) {
+  std::vector<ToolSummary> summary;
+  for (const ToolSpec& tool : scene.tools)
+    summary.push_back({summarise_motion(tool.name, history), last_value(history, tool.name + ".contact_area_mm2")});
   return summary;
 }
 
@@ -97,9 +111,13 @@ void write_summary(const Summary& summary, const std::filesystem::path& file) {
   for (const MeasureSummary& m : summary.measure)
     json["measures"][m.name] = {{"shear_angle_deg", m.mean}, {"sd", m.sd}, {"min", m.least}, {"max", m.greatest}};
   json["grips"] = Json::object();
-  for (const GripSummary& g : summary.grip)
-    json["grips"][g.name] = {
-        {"displacement_mm", g.displacement}, {"force_N", g.force}, {"largest_force_N", g.largest_force}};
+  for (const GripSummary& g : summary.grip) json["grips"][g.name] = motion_json(g);
+  json["tools"] = Json::object();
+  for (const ToolSummary& tool : summary.tool) {
+    Json entry = motion_json(tool.motion);
+    entry["contact_area_mm2"] = tool.contact_area;
+    json["tools"][tool.motion.name] = entry;
+  }
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);
   write_text_whole(file, json.dump(2) + "\n");
 }

@@ -18,6 +18,11 @@ struct GripSummary {
   double largest_force = 0.0;  // N; of the whole run, the greatest in size with its sign
 };
 
+struct ToolSummary {
+  GripSummary motion;
+  double contact_area = 0.0;  // mm2; at the end
+};
+
 struct MeasureSummary {
   std::string name;
   double mean = 0.0, sd = 0.0, least = 0.0, greatest = 0.0;  // deg; shear angle at the end
@@ -26,17 +31,19 @@ struct MeasureSummary {
 struct Summary {
   SolveStatistics statistics;
   std::vector<GripSummary> grip;
+  std::vector<ToolSummary> tool;
   std::vector<MeasureSummary> measure;
   std::optional<BiasComparison> bias;  // when the scene is a bias extension
 };
 
-// Grips and measures of the scene at the history's last row. Throws InputError when the history has no row or lacks a
-// column.
+// Grips, tools and measures of the scene at the history's last row. Throws InputError when the history has no row or
+// lacks a column.
 [[nodiscard]] std::vector<GripSummary> summarise_grips(const Scene& scene, const History& history);
+[[nodiscard]] std::vector<ToolSummary> summarise_tools(const Scene& scene, const History& history);
 [[nodiscard]] std::vector<MeasureSummary> summarise_measures(const Scene& scene, const History& history);
 
-// summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures" and
-// "grips" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel". Throws FileError.
+// summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
+// "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel". Throws FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);
 [[nodiscard]] std::string summary_table(const Summary& summary);
 

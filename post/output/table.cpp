@@ -88,6 +88,24 @@ std::string grip_lines(const Summary& summary) {
   return text;
 }
 
+std::string tool_lines(const Summary& summary) {
+  if (summary.tool.empty()) return "";
+  const SolveStatistics& s = summary.statistics;
+  std::size_t width = 16;
+  for (const ToolSummary& tool : summary.tool) width = std::max(width, tool.motion.name.size() + 1);
+  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}{:>12}   along its motion\n", "tool", width, "travel mm",
+                                 "end N", "largest N", "contact mm2");
+  for (const ToolSummary& tool : summary.tool)
+    text += fmt::format("{:<{}}{}{}{}{:>12.0f}\n", tool.motion.name, width, number(tool.motion.displacement),
+                        number(tool.motion.force, 3), number(tool.motion.largest_force, 3), tool.contact_area);
+  text += fmt::format(
+      "contact: greatest penetration {} of the thickness; friction {:.4g} mJ, contact damping {:.4g} mJ; {} of the "
+      "time\n",
+      percent(s.contact_penetration), s.friction_work_mJ, s.contact_damping_work_mJ,
+      percent(s.wall_s > 0.0 ? s.contact_wall_s / s.wall_s : 0.0));
+  return text;
+}
+
 std::string zone_lines(const BiasComparison& bias) {
   std::string text = fmt::format(
       "\nbias extension, W {:g} x L {:g} mm; ideal: inextensible yarns, three zones (Eq. 14); cells on a zone line "
@@ -130,6 +148,7 @@ std::string summary_table(const Summary& summary) {
   std::string text = run_lines(summary.statistics);
   text += measure_lines(summary.measure);
   text += grip_lines(summary);
+  text += tool_lines(summary);
   if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);
   return text;
 }

@@ -59,7 +59,7 @@ public:
   struct Cost {
     double penetration = 0.0;    // 1; greatest so far, as a fraction of the fabric's thickness
     double friction_work = 0.0;  // mJ
-    double damping_work = 0.0;   // mJ; normal and tangential contact damping and the guides of pushed tools
+    double damping_work = 0.0;   // mJ; normal contact damping and the guides of pushed tools
     double wall_s = 0.0;         // spent in add_forces
   };
   [[nodiscard]] Cost cost() const;

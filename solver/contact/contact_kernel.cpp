@@ -6,9 +6,6 @@
 namespace weaveform {
 namespace {
 
-constexpr int lanes = 8;  // of fixed partial sums, so that the order of additions is the same on every machine
-static_assert(points_at_a_time % lanes == 0);
-
 struct Contribution {
   double force[3], area, energy, friction_work, damping_work;
 };
@@ -50,22 +47,9 @@ struct Contribution {
   out.force[2] = normal * n[2] - cut * s2;
   out.area = p > 0.0 ? area : 0.0;
   out.energy = stored_normal + 0.5 * k * cut * cut * t_square;
-  // of a node that slides, all is friction
-  const double dampers = time * cut * c * w_square;
-  out.friction_work = k * cut * (1.0 - cut) * t_square + (cut < 1.0 ? dampers : 0.0);
-  out.damping_work = time * (normal - elastic) * approach + (cut < 1.0 ? 0.0 : dampers);
+  out.friction_work = k * cut * (1.0 - cut) * t_square + time * cut * c * w_square;
+  out.damping_work = time * (normal - elastic) * approach;
   return out;
-}
-
-using Row = double[points_at_a_time];
-
-double greatest(const Row& values) {
-  double lane[lanes] = {};
-  for (int n = 0; n < points_at_a_time; n += lanes)
-    for (int l = 0; l < lanes; ++l) lane[l] = lane[l] > values[n + l] ? lane[l] : values[n + l];
-  double result = lane[0];
-  for (int l = 1; l < lanes; ++l) result = result > lane[l] ? result : lane[l];
-  return result;
 }
 
 }  // namespace
@@ -116,25 +100,27 @@ void reset_anchors(const ContactTool& tool, const ContactNodes& nodes) {
 
 double least_gap(const Distances& distances, double offset, const ContactNodes& nodes) {
   constexpr double far = 1e300;  // mm
-  Row gap;
-  double lane[lanes];
-  for (double& value : lane) value = far;
-  for (int i = 0; i < nodes.count; ++i) gap[i] = nodes.mass[i] > 0.0 ? distances.distance[i] - offset : far;
-  for (int i = nodes.count; i < points_at_a_time; ++i) gap[i] = far;
-  for (int n = 0; n < points_at_a_time; n += lanes)
-    for (int l = 0; l < lanes; ++l) lane[l] = lane[l] < gap[n + l] ? lane[l] : gap[n + l];
-  double result = lane[0];
-  for (int l = 1; l < lanes; ++l) result = result < lane[l] ? result : lane[l];
-  return result;
+  const double* mass = nodes.mass;
+  double least = far;
+#pragma omp simd reduction(min : least)
+  for (int i = 0; i < nodes.count; ++i) {
+    const double gap = mass[i] > 0.0 ? distances.distance[i] - offset : far;
+    least = gap < least ? gap : least;
+  }
+  return least;
 }
 
 double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes) {
-  Row square = {};
+  const double rx = reference[0], ry = reference[1], rz = reference[2];
+  const double *mass = nodes.mass, *vx = nodes.v[0], *vy = nodes.v[1], *vz = nodes.v[2];
+  double greatest = 0.0;
+#pragma omp simd reduction(max : greatest)
   for (int i = 0; i < nodes.count; ++i) {
-    const double x = nodes.v[0][i] - reference[0], y = nodes.v[1][i] - reference[1], z = nodes.v[2][i] - reference[2];
-    square[i] = nodes.mass[i] > 0.0 ? x * x + y * y + z * z : 0.0;
+    const double x = vx[i] - rx, y = vy[i] - ry, z = vz[i] - rz;
+    const double square = mass[i] > 0.0 ? x * x + y * y + z * z : 0.0;
+    greatest = square > greatest ? square : greatest;
   }
-  return std::sqrt(greatest(square));
+  return std::sqrt(greatest);
 }
 
 }  // namespace weaveform

@@ -44,8 +44,8 @@ struct ContactSums {
   double force[3] = {0.0, 0.0, 0.0};  // N; of the tool on the fabric
   double area = 0.0;                  // mm^2; of the nodes that touch
   double energy = 0.0;                // mJ; stored in the springs
-  double friction_work = 0.0;         // mJ; lost in sliding, over the step just made
-  double damping_work = 0.0;          // mJ; lost in the dampers, over the step just made
+  double friction_work = 0.0;         // mJ; lost along the surface, over the step just made
+  double damping_work = 0.0;          // mJ; lost in the normal dampers, over the step just made
 };
 
 // `time` is the length of the step just made (s).

@@ -152,6 +152,7 @@ struct FrameWriter::Grid {
 
   void fill(const Mesh& mesh, const Fields& fields) {
     time->SetValue(0, fields.time);
+    time->Modified();
     fill(*point, fields.position);
     fill(*displacement, fields.displacement);
     fill(*shear_angle, mean_on_yarns(beside, fields.shear_angle), fields.shear_angle, degrees_per_radian);
@@ -160,6 +161,7 @@ struct FrameWriter::Grid {
     fill(*yarn_force, fields.yarn_force, mean_on_cells(beside, fields.yarn_force, cells), 1.0);
     fill_directions(mesh, fields);
     for (int cell = 0; cell < cells; ++cell) folded->SetValue(mesh.yarn_count() + cell, fields.folded[cell] ? 1 : 0);
+    folded->Modified();
     grid->GetPoints()->Modified();
     grid->Modified();
   }

@@ -98,8 +98,8 @@ TEST(Drawing, TooFastAPunchStops) {
   EXPECT_NE(message_of<PhysicsError>(scene), "");
 }
 
-// The stable step counts on every yarn being at its stiffest. A slack net can bear more, so a step above it may go well;
-// then the answer must be right.
+// The stable step counts on every yarn being at its stiffest. A slack net can bear more, so a step above it may go
+// well; then the answer must be right.
 TEST(Drawing, TooLargeAStepStopsOrIsRight) {
   const double right = run(drawing()).history.values("punch.force_N").back();
   for (const double factor : {1.5, 2.0, 2.5, 3.0, 3.5, 4.0}) {

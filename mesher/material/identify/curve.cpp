@@ -165,7 +165,7 @@ std::vector<Curve> split_specimens(const RawTable& table, const TestSpec& test, 
   for (std::size_t i = 0; i < x.size(); ++i) {
     const std::string& name = table.cells[i][column];
     const auto [found, is_new] = place.emplace(name, curves.size());
-    if (is_new) curves.push_back({label + ", specimen " + name, {}, {}, {}});
+    if (is_new) curves.push_back({fmt::format("{}, specimen {}", label, name), {}, {}, {}});
     curves[found->second].x.push_back(x[i]);
     curves[found->second].y.push_back(y[i]);
   }

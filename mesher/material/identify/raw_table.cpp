@@ -45,7 +45,7 @@ std::vector<Line> lines_of(std::string_view text, int skip) {
     const std::string kept = trimmed(line);
     if (number > skip && !kept.empty() && kept.front() != '#') {
       // Tabs at the ends are empty cells; only the line's own end goes.
-      lines.push_back({number, std::string(line.substr(0, line.find_last_not_of("\r") + 1))});
+      lines.push_back({number, std::string(line.substr(0, line.find_last_not_of('\r') + 1))});
     }
   }
   return lines;

@@ -145,6 +145,7 @@ std::vector<double> errors_between(ShearFit& fit, const std::vector<double>& str
 void tabulate_law(ShearFit& fit, double confidence) {
   const auto& first = fit.specimens.front().grid;
   std::vector<double> strains;
+  strains.reserve(first.size());
   for (const auto& seen : first) strains.push_back(log_shear_strain(seen.angle));
   const auto errors = fit.specimens.size() > 1 ? errors_between(fit, strains) : errors_of_one(fit, strains);
   const double shared = 1.0 - (1.0 - confidence) / fit.chosen().form.parameters();
