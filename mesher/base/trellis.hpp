@@ -41,7 +41,7 @@ struct BiasZones {
 
 // The load is linear in the shear stress at the two angles: F = full sigma(gamma) + half sigma(gamma/2), mm^2 each.
 // From the power balance F d delta = t (A sigma(gamma) cos gamma d gamma + B sigma(gamma/2) cos(gamma/2) d(gamma/2)),
-// constant volume, sigma the contravariant stress of Eq. 5; derivation in docs/fit.md.
+// constant volume, sigma the contravariant stress of Eq. 5; derivation in docs/bias_extension.md.
 struct BiasLoadWeights {
   double full = 0.0, half = 0.0;
 };

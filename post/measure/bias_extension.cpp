@@ -43,11 +43,11 @@ bool yarns_at_45(double yarn_angle) {
   return std::abs(std::abs(std::remainder(yarn_angle, 90.0)) - 45.0) < 1e-6;
 }
 
-// Power per flat area of a zone and rate of its angle (N/mm): t sigma cos gamma, times cos gamma again when the
-// thickness is constant, since the volume then shrinks with the area.
-double power_per_area(const ShearCard& shear, double thickness, ShearThickness rule, double angle) {
-  const double volume_ratio = rule == ShearThickness::constant ? std::cos(angle) : 1.0;
-  return thickness * volume_ratio * shear_stress(shear, std::atanh(std::sin(angle))) * std::cos(angle);
+// The card's stress at a shear angle, times cos gamma when the thickness is constant: the volume then shrinks with the
+// area.
+double effective_stress(const ShearCard& shear, ShearThickness rule, double angle) {
+  const double stress = shear_stress(shear, std::atanh(std::sin(angle)));
+  return rule == ShearThickness::constant ? stress * std::cos(angle) : stress;
 }
 
 }  // namespace
@@ -75,35 +75,13 @@ std::optional<BiasSpecimen> find_bias_extension(const Scene& scene) {
   return specimen;
 }
 
-ZoneAreas zone_areas(const BiasSpecimen& specimen) {
-  const double width = specimen.width, free = specimen.free_length();
-  const double excess = free - width;  // > 0: the sides cut the diamond A; < 0: they leave unsheared triangles of C
-  const double corner = 0.5 * excess * excess;
-  ZoneAreas area;
-  area.a = 0.5 * free * free - (excess > 0.0 ? corner : 0.0);
-  area.c = 0.5 * width * width + (excess < 0.0 ? corner : 0.0);
-  area.b = width * specimen.length - area.a - area.c;
-  return area;
-}
-
-double kinematic_shear_angle(const BiasSpecimen& specimen, double travel) {
-  const double free = specimen.free_length();
-  const double cosine = (free + travel) / (free * std::numbers::sqrt2);
-  if (!(cosine >= 0.0 && cosine <= 1.0)) return not_a_number;
-  return std::numbers::pi / 2.0 - 2.0 * std::acos(cosine);
-}
-
 double inextensible_bias_load(const BiasSpecimen& specimen, const ShearCard& shear, double thickness,
                               ShearThickness rule, double travel) {
   const double angle = kinematic_shear_angle(specimen, travel);
-  const double sine = std::sin(std::numbers::pi / 4.0 - angle / 2.0);
-  if (!(sine > 0.0)) return not_a_number;
-  // D + delta = sqrt2 D cos(pi/4 - gamma/2)  =>  d gamma / d delta = sqrt2 / (D sin(pi/4 - gamma/2))
-  const double angle_rate = std::numbers::sqrt2 / (specimen.free_length() * sine);  // 1/mm
-  const ZoneAreas area = zone_areas(specimen);
-  // Zone B shears by gamma/2, hence at half the rate.
-  return angle_rate * (area.a * power_per_area(shear, thickness, rule, angle) +
-                       0.5 * area.b * power_per_area(shear, thickness, rule, 0.5 * angle));
+  if (!(angle < std::numbers::pi / 2.0)) return not_a_number;
+  const BiasLoadWeights weights = bias_load_weights(specimen.rectangle(), thickness, angle);
+  return weights.full * effective_stress(shear, rule, angle) +
+         weights.half * effective_stress(shear, rule, 0.5 * angle);
 }
 
 }  // namespace weaveform

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "mesher/base/trellis.hpp"
 #include "mesher/material/card.hpp"
 #include "mesher/scene/scene.hpp"
 
@@ -18,6 +19,7 @@ struct BiasSpecimen {
   int axis = 1;                                // of the pull in the blank's frame: 0 = x, 1 = y
   std::array<std::string, 2> grip;             // names, first the one on the lower side of the axis
   std::array<double, 2> outward = {1.0, 1.0};  // +1 when a grip's direction points out of the specimen, else -1
+  [[nodiscard]] BiasRectangle rectangle() const { return {width, length}; }
   [[nodiscard]] double free_length() const { return length - width; }  // mm; D
 };
 
@@ -25,15 +27,15 @@ struct BiasSpecimen {
 // than they are wide and move along the line that joins them. Nothing when the scene is another test.
 [[nodiscard]] std::optional<BiasSpecimen> find_bias_extension(const Scene& scene);
 
-// Flat areas (mm^2) of the zones: A sheared by gamma, B by gamma/2, C not at all. A + B + C = L W.
-struct ZoneAreas {
-  double a = 0.0, b = 0.0, c = 0.0;
-};
-[[nodiscard]] ZoneAreas zone_areas(const BiasSpecimen& specimen);
-
-// gamma = pi/2 - 2 acos((D + delta)/(D sqrt 2)), delta the grips' travel apart (Eq. 14, where L = 2W gives D = W).
-// Not a number once delta passes (sqrt 2 - 1) D, where gamma = 90 deg.
-[[nodiscard]] double kinematic_shear_angle(const BiasSpecimen& specimen, double travel);
+// trellis.hpp for a specimen: flat areas (mm^2) of the zones, and the angle of Eq. 14 at the grips' travel apart (not a
+// number from 90 deg on).
+using ZoneAreas = BiasZones;
+[[nodiscard]] inline ZoneAreas zone_areas(const BiasSpecimen& specimen) {
+  return bias_zones(specimen.rectangle());
+}
+[[nodiscard]] inline double kinematic_shear_angle(const BiasSpecimen& specimen, double travel) {
+  return bias_shear_angle(specimen.rectangle(), travel);
+}
 
 enum class ShearThickness { constant_volume, constant };
 
