@@ -8,12 +8,14 @@
 namespace weaveform {
 namespace {
 
-constexpr double returned_share = 0.01;  // of the smaller spacing; a hundredth of a cell is beyond what anyone reads off
+constexpr double returned_share =
+    0.01;  // of the smaller spacing; a hundredth of a cell is beyond what anyone reads off
 
 double farthest(const std::vector<Vec3>& one, const std::vector<Vec3>& other) {
   double greatest = 0.0;
   for (std::size_t n = 0; n < one.size(); ++n)
-    greatest = std::max(greatest, std::hypot(one[n][0] - other[n][0], one[n][1] - other[n][1], one[n][2] - other[n][2]));
+    greatest =
+        std::max(greatest, std::hypot(one[n][0] - other[n][0], one[n][1] - other[n][1], one[n][2] - other[n][2]));
   return greatest;
 }
 

@@ -23,8 +23,8 @@ struct SolveResult {
   std::vector<Vec3> position;  // mm; final
 };
 
-// Runs the analysis and writes the result folder (frames, history.csv, solve.json); an empty `directory` writes nothing.
-// Throws PhysicsError (unstable, tangled, balance), FileError, Interrupted (checkpoint left in the folder).
+// Runs the analysis and writes the result folder (frames, history.csv, solve.json); an empty `directory` writes
+// nothing. Throws PhysicsError (unstable, tangled, balance), FileError, Interrupted (checkpoint left in the folder).
 SolveResult solve(const Mesh& mesh, const Scene& scene, const Card& card, const std::filesystem::path& directory,
                   const SolveOptions& options = {});
 

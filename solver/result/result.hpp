@@ -40,14 +40,14 @@ struct SolveStatistics {
   int folded_cells = 0;  // greatest number at any history row
   int folded_cells_at_end = 0;
   int cells_beyond_card = 0;  // cells sheared past the range of the card's shear law in the last frame
-  double added_mass_t = 0.0;         // tonne; mass scaling of a shear frame's members, real mass taken away negative
+  double added_mass_t = 0.0;  // tonne; mass scaling of a shear frame's members, real mass taken away negative
   // A start with random node displacements (analysis.perturbation) is compared with the same scene without it:
   double perturbation_distance_mm = 0.0;  // greatest distance of a node from where the clean run left it
   bool perturbation_returned = true;      // that distance is below 1 % of the spacing and no cell is folded
-  double contact_penetration = 0.0;      // 1; greatest, as a fraction of the fabric's thickness
-  double friction_work_mJ = 0.0;         // part of damping_work_mJ
-  double contact_damping_work_mJ = 0.0;  // part of damping_work_mJ; contact dampers and guides of pushed tools
-  double contact_wall_s = 0.0;           // part of wall_s
+  double contact_penetration = 0.0;       // 1; greatest, as a fraction of the fabric's thickness
+  double friction_work_mJ = 0.0;          // part of damping_work_mJ
+  double contact_damping_work_mJ = 0.0;   // part of damping_work_mJ; contact dampers and guides of pushed tools
+  double contact_wall_s = 0.0;            // part of wall_s
   int threads = 1;
 };
 

@@ -100,9 +100,9 @@ TEST(LatticeStep, FreeEndsAreTiedInLineWithTheirYarn) {
     for (const auto& tie : mesh.tie) {
       ASSERT_LT(tie.share, 0.0) << a.name;
       for (std::size_t c = 0; c < 3; ++c)
-        EXPECT_NEAR(mesh.nodes.position[tie.node][c],
-                    (1.0 - tie.share) * mesh.nodes.position[tie.to[0]][c] + tie.share * mesh.nodes.position[tie.to[1]][c],
-                    1e-9)
+        EXPECT_NEAR(
+            mesh.nodes.position[tie.node][c],
+            (1.0 - tie.share) * mesh.nodes.position[tie.to[0]][c] + tie.share * mesh.nodes.position[tie.to[1]][c], 1e-9)
             << a.name;
     }
   }
