@@ -24,6 +24,9 @@ struct RowRuns {
   std::vector<Run> run;
 };
 
+// Cuts the marked indices of each row (j * stride + i) into runs.
+[[nodiscard]] RowRuns runs_of(const std::vector<char>& marked, int stride, int rows);
+
 // Yarn elements with an end on the outline (mesh.hpp: jaw, softening).
 struct LooseYarns {
   std::vector<int> node0, node1;
@@ -58,6 +61,10 @@ struct PackedMesh {
   // Range of i that row j's nodes span; {0, 0} when empty.
   [[nodiscard]] Run span(int row) const;
 };
+
+// A cell is of the lattice when its nodes are the four crossings around it; its directions are then those of the
+// centre.
+[[nodiscard]] bool is_full_quad(const Mesh& mesh, int cell);
 
 [[nodiscard]] PackedMesh pack_mesh(const Mesh& mesh);
 

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "mesher/base/error.hpp"
+#include "solver/bending/flexure.hpp"
+#include "solver/bending/lattice_bending.hpp"
 #include "solver/motion/gravity.hpp"
 #include "solver/motion/interrupt.hpp"
 
@@ -67,6 +69,11 @@ Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::
 void Analysis::add_terms() {
   if (scene_.analysis.gravity != Vec3{0.0, 0.0, 0.0})
     terms_.push_back(std::make_unique<Gravity>(packed_, state_, scene_.analysis.gravity));
+  const Flexure flexure = choose_flexure(card_, scene_.model);
+  // a shear frame's members turn, so that yarns are not clamped in them
+  const auto clamped = scene_.frame ? std::vector<char>(mesh_.node_count(), 0) : held_nodes(grips_, mesh_, packed_);
+  if (flexure.bends_yarns || flexure.rotation_free)
+    terms_.push_back(std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, threads_));
   if (scene_.tools.empty()) return;
   const double fabric_step = critical_step_(mesh_positions(packed_, state_)).step;
   auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, threads_);
