@@ -58,6 +58,11 @@ struct PackedMesh {
   std::vector<double> mass;         // tonne; 1 where no node is
   std::vector<int> packed_of_mesh;  // packed index of each mesh node
   [[nodiscard]] int lattice_nodes() const { return stride * rows; }
+  // Whether the element from packed node a to b is one of its row's runs.
+  [[nodiscard]] bool is_lattice_yarn(int family, int a, int b) const {
+    const auto& section = family == 0 ? warp_section : weft_section;
+    return a < lattice_nodes() && b - a == (family == 0 ? 1 : stride) && section[a] > 0.0;
+  }
   // Range of i that row j's nodes span; {0, 0} when empty.
   [[nodiscard]] Run span(int row) const;
 };
