@@ -10,4 +10,5 @@ set(VERIFY_SOURCES
   verify/contact_limits_test.cpp
   verify/contact_static_test.cpp
   verify/unit_cell_test.cpp
+  verify/zone_border_test.cpp
 )
