@@ -19,6 +19,7 @@ struct YarnCard {
   TangentLaw tension;           // MPa against true strain, e >= 0 (Table 2)
   double linear_modulus = 0.0;  // MPa; tangent of the last piece: at its end, or where it begins when it has no end
   double compression_modulus = 0.0;  // MPa; for e < 0; default 1 % of the linear modulus (ours: the paper gives none)
+  TangentLaw compression;            // MPa against |e|, e < 0; no pieces: the compression modulus at every strain
   bool operator==(const YarnCard&) const = default;
 };
 

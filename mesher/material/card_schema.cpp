@@ -159,6 +159,11 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
                                            .doc =
                                                "for negative strain; auto: 1 % of the linear modulus (our choice, the "
                                                "paper gives none)"}),
+      key<&YarnFile::compression>({.name = "compression",
+                                   .unit = "MPa",
+                                   .doc = "instead of compression_modulus: tangent modulus against the size of "
+                                          "negative true strain, pieces as for `tension`; of trusses and of seatbelts' "
+                                          "compression-only partners"}),
   };
   return keys;
 }

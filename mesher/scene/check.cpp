@@ -90,6 +90,24 @@ void check_material(const Scene& scene, const toml::table& root, Complaints& com
                              did_you_mean(name, builtin_card_names())));
 }
 
+// Keys that only another key's choice gives a meaning to.
+void check_model(const ModelSpec& model, const toml::table& root, Complaints& complaints) {
+  const toml::table* table = table_at(root, "model", 0);
+  if (table == nullptr) return;
+  if (model.partner != "none" && model.yarn != "seatbelt") {
+    complaints.add(place_of(*table, "partner"),
+                   fmt::format("'partner' is '{}', but yarn = '{}' carries compression itself; set yarn = \"seatbelt\" "
+                               "or leave 'partner' out",
+                               model.partner, model.yarn));
+  }
+  if (model.slack && model.yarn_law != "slack") {
+    complaints.add(place_of(*table, "slack"),
+                   fmt::format("'slack' is {}, but yarn_law = '{}' has none; set yarn_law = \"slack\" or leave 'slack' "
+                               "out",
+                               *model.slack, model.yarn_law));
+  }
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const toml::table& root, Complaints& complaints) {
@@ -99,6 +117,7 @@ void check_scene(const Scene& scene, const toml::table& root, Complaints& compla
   check_grips(scene, root, complaints);
   check_measures(scene, root, complaints);
   check_tools(scene, root, complaints);
+  check_model(scene.model, root, complaints);
   const toml::table* analysis = table_at(root, "analysis", 0);
   if (analysis != nullptr && scene.analysis.duration && scene.analysis.loading_speed) {
     complaints.add(place_of(*analysis, "loading_speed"),
