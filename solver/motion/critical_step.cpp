@@ -26,7 +26,9 @@ double stiffest_compressed(const TangentLaw& law, bool constant_section) {
   constexpr int intervals = 50;  // the bound is then within 2 % of the greatest value
   double greatest = 0.0;
   for (int n = 0; n < intervals; ++n) {
-    const double from = -greatest_strain * (n + 1) / intervals, to = -greatest_strain * n / intervals;
+    // at zero strain itself the law's tangent is that of tension
+    const double from = -greatest_strain * (n + 1) / intervals;
+    const double to = std::min(-greatest_strain * n / intervals, -std::numeric_limits<double>::min());
     const double tangent = law.stiffest(from, to);
     const double stiffness =
         constant_section ? std::exp(-from) * tangent : std::exp(-2.0 * from) * (tangent - law.stress(from));
