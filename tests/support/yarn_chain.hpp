@@ -1,5 +1,5 @@
-// A chain of yarn elements without cells, moved by the solver's own parts: forces, stable step, leapfrog, grips, energy.
-// It hangs from its first node; the others are free masses. Units mm, s, N, MPa, tonne.
+// A chain of yarn elements without cells, moved by the solver's own parts: forces, stable step, leapfrog, grips,
+// energy. It hangs from its first node; the others are free masses. Units mm, s, N, MPa, tonne.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,8 @@
 
 namespace weaveform::test {
 
-// `elements` warp elements of rest length `length` (mm), straight along x from the origin; `mass` (tonne) at every node.
+// `elements` warp elements of rest length `length` (mm), straight along x from the origin; `mass` (tonne) at every
+// node.
 inline Mesh chain_mesh(int elements, double length, double section, double mass) {
   Mesh mesh;
   mesh.spacing = {length, length};
@@ -162,7 +163,7 @@ private:
   std::vector<Grip> grips_;
   std::vector<char> was_taut_;
   double viscosity_, factor_;
-  double step_ = 0.0, step_before_ = 0.0, time_ = 0.0;               // s
+  double step_ = 0.0, step_before_ = 0.0, time_ = 0.0;                  // s
   double kinetic_ = 0.0, damping_ = 0.0, damping_after_ = 0.0, start_;  // mJ
   long steps_ = 0, switches_ = 0;
 };

@@ -37,12 +37,14 @@ Scene unusual_scene() {
                  .fit = "none",
                  .orientation = 30,
                  .position = {1, -2, 3e-7}};
-  scene.model = {.yarn = "truss",
+  scene.model = {.yarn = "seatbelt",
+                 .partner = "compression",
                  .cell = "membrane",
                  .formulation = "contravariant",
                  .thickness = "constant",
                  .section = "constant",
-                 .yarn_law = "linear",
+                 .yarn_law = "slack",
+                 .slack = 0.1 / 3,
                  .yarn_stiffness_scale = 0.01};
   scene.grip = {{.name = "held", .edge = "left", .box = {}, .travel = 0, .direction = {}, .free = {"x", "z"}},
                 {.name = "pulled",
