@@ -139,8 +139,9 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
       key<&YarnFile::crimp>({.name = "crimp",
                              .unit = "%",
                              .limits = between(0, 100),
-                             .doc = "(yarn length - fabric length) / fabric length; for information, the tension law "
-                                    "already holds the decrimping"}),
+                             .doc = "(yarn length - fabric length) / fabric length; gives the slack of "
+                                    "`model.yarn_law = \"slack\"`, otherwise for information: the tension law already "
+                                    "holds the decrimping"}),
       key<&YarnFile::tension>({.name = "tension",
                                .unit = "MPa",
                                .required = true,
