@@ -69,11 +69,12 @@ const std::vector<Key<ModelSpec>> model_keys = {
                                .allowed = {"card", "linear", "slack"},
                                .doc = "tension law: the card's (decrimping, Table 2), or its linear modulus from zero "
                                       "strain on, or that from the slack strain on and nothing before"}),
-    key<&ModelSpec::slack>({.name = "slack",
-                            .unit = "1",
-                            .limits = between(0, 1),
-                            .doc = "true strain that yarns stretch before they carry, for `yarn_law = \"slack\"`; "
-                                   "auto: ln(1 + crimp) of the card, each family its own"}),
+    key<&ModelSpec::slack>(
+        {.name = "slack",
+         .unit = "1",
+         .limits = between(0, 1),
+         .doc = "true strain that yarns stretch before they carry, for `yarn_law = \"slack\"`; "
+                "auto: ln(1 + crimp) of the card, each family its own (0 when the card gives no crimp)"}),
     key<&ModelSpec::yarn_stiffness_scale>({.name = "yarn_stiffness_scale",
                                            .unit = "1",
                                            .limits = above(0, 1000),
