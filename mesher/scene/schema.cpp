@@ -44,15 +44,20 @@ const std::vector<Key<BlankSpec>> blank_keys = {
 
 const std::vector<Key<ModelSpec>> model_keys = {
     key<&ModelSpec::yarn>({.name = "yarn",
-                           .allowed = {"truss", "seatbelt"},
-                           .doc = "element of the yarns: `truss` (the paper's T3D2); `seatbelt` carries no compression "
-                                  "(the paper's LS-DYNA element)"}),
+                           .allowed = {"truss", "beam", "seatbelt"},
+                           .doc = "element of the yarns: `truss` (the paper's T3D2); `beam` (B31): adds flexural "
+                                  "stiffness along each continuous yarn, crossings stay pinned; `seatbelt` carries no "
+                                  "compression (the paper's LS-DYNA element)"}),
     key<&ModelSpec::partner>({.name = "partner",
                               .allowed = {"none", "compression"},
                               .doc = "`compression`: beside every seatbelt an element that carries the card's "
                                      "`compression` law and no tension"}),
     key<&ModelSpec::cell>(
-        {.name = "cell", .allowed = {"membrane"}, .doc = "element of the shear cells (the paper's M3D4R)"}),
+        {.name = "cell",
+         .allowed = {"membrane", "rotation-free", "shell"},
+         .doc = "element of the shear cells: `membrane` (the paper's M3D4R); `rotation-free`: adds bending along warp "
+                "and weft and twist from the lattice's curvatures; `shell` (S4R): the same with rotational unknowns "
+                "and transverse shear"}),
     key<&ModelSpec::formulation>({.name = "formulation",
                                   .allowed = {"energy", "contravariant", "incremental", "side-frame"},
                                   .doc = "shear force of a cell: gradient of a stored energy, or the paper's stress "
@@ -79,6 +84,23 @@ const std::vector<Key<ModelSpec>> model_keys = {
                                            .unit = "1",
                                            .limits = above(0, 1000),
                                            .doc = "factor on all yarn moduli; below 1 buys a larger step"}),
+    key<&ModelSpec::yarn_bending>({.name = "yarn_bending",
+                                   .unit = "N mm^2",
+                                   .limits = at_least(0),
+                                   .one_for_all = true,
+                                   .doc =
+                                       "constant flexural stiffness of one yarn, in plane and out of plane, in place "
+                                       "of the card's; needs yarn = \"beam\""}),
+    key<&ModelSpec::cell_bending>({.name = "cell_bending",
+                                   .unit = "N mm",
+                                   .limits = at_least(0),
+                                   .doc = "constant bending stiffness per width of the cells along warp and weft, and "
+                                          "twist, in place of the card's; needs a cell that bends. When left out: the "
+                                          "fabric's rigidity less what beams bear of it"}),
+    key<&ModelSpec::transverse_shear>({.name = "transverse_shear",
+                                       .unit = "N/mm",
+                                       .limits = above(0),
+                                       .doc = "of shell cells, force per width over shear angle; auto: the card's"}),
 };
 
 const std::vector<Key<GripSpec>> grip_keys = {
