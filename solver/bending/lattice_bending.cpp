@@ -36,7 +36,7 @@ bool is_constant(const TangentLaw& law) {
 
 GeneralLaw packed_moment(const TangentLaw& law) {
   GeneralLaw packed;
-  if (!law.pieces().empty() && !pack_law(law, 0.0, packed))
+  if (!law.pieces().empty() && !pack_law(law, packed))
     throw InputError("material: a bending law has more than 6 pieces or a stiffness above degree 5; simplify it");
   return packed;
 }

@@ -150,7 +150,7 @@ struct Shell::Parts {
     const TangentLaw& law = flexure.shell[f];
     is_curved[f] = law.pieces().size() > 1 || law.pieces()[0].coefficient.size() > 1;
     moment[f].constant = {law.tangent(0.0)};
-    if (!pack_law(law, 0.0, moment[f].curved.law))
+    if (!pack_law(law, moment[f].curved.law))
       throw InputError("material: a bending law has more than 6 pieces or a stiffness above degree 5; simplify it");
     kernels[f] = edge_kernels(is_curved[f]);
   }
