@@ -146,7 +146,7 @@ TEST_P(EveryCombination, TheDefaultStepAndViscosityKeepTheBalance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, EveryCombination,
-                         testing::Combine(testing::Values("truss", "beam"),
+                         testing::Combine(testing::Values("truss", "beam", "seatbelt"),
                                           testing::Values("membrane", "rotation-free", "shell")));
 
 }  // namespace
