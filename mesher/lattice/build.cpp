@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesher/base/error.hpp"
+#include "mesher/lattice/cross.hpp"
 #include "mesher/lattice/cut_cells.hpp"
 #include "mesher/lattice/fit.hpp"
 #include "mesher/lattice/frame.hpp"
@@ -18,6 +19,7 @@
 #include "mesher/lattice/net.hpp"
 #include "mesher/lattice/outline.hpp"
 #include "mesher/lattice/strips.hpp"
+#include "mesher/outline/blank_outline.hpp"
 
 namespace weaveform::lattice {
 
@@ -43,6 +45,14 @@ std::array<double, 2> real_coarsening(const Vec2& spacing, const Card& card) {
   return {spacing[1] / card.yarn[0].interval, spacing[0] / card.yarn[1].interval};
 }
 
+// Along the blank's own axes.
+Vec2 extent_of(const Outline& outline, const Turn& yarns) {
+  Outline turned = outline;
+  for (auto& edge : turned.edge) edge = {yarns.forward(edge.from), yarns.forward(edge.to), {}};
+  const Box box = bounding_box(turned);
+  return {box.high[0] - box.low[0], box.high[1] - box.low[1]};
+}
+
 // Cells met along the blank's own axes, and lines of either family across the whole blank.
 void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarns, const Vec2& spacing,
                 std::vector<std::string>& complaints) {
@@ -51,13 +61,14 @@ void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarn
   const double s = std::abs(yarns.sine);
   const std::array<double, 2> per_mm = {std::max(c / spacing[0], s / spacing[1]),
                                         std::max(s / spacing[0], c / spacing[1])};
+  const Vec2 extent = extent_of(outline, yarns);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double cells = blank.size[axis] * per_mm[axis];
+    const double cells = extent[axis] * per_mm[axis];
     if (cells >= fewest_cells - rounding) continue;
     complaints.push_back(fmt::format(
         "blank.size: {:.6g} mm along the blank's {} axis are only {:.3g} cells of {:.6g} x {:.6g} mm; make it at least "
         "{:.6g} mm, or blank.coarsening smaller by {:.3g}",
-        blank.size[axis], axis == 0 ? "x" : "y", cells, spacing[0], spacing[1], fewest_cells / per_mm[axis],
+        extent[axis], axis == 0 ? "x" : "y", cells, spacing[0], spacing[1], fewest_cells / per_mm[axis],
         fewest_cells / cells));
   }
   const Box box = bounding_box(outline);
@@ -72,9 +83,20 @@ void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarn
   }
 }
 
+// Lines that go through the whole roll, seen from a blank whose centre lies at on_roll (mm along warp and weft).
+LineLayout lines_of_roll(const BlankSpec& blank, const Vec2& asked) {
+  LineLayout lines{asked, {}};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double spacings = -(*blank.on_roll)[axis] / asked[axis];
+    lines.phase[1 - axis] = spacings - std::round(spacings);  // phase[0] moves the warp lines, which lie across
+  }
+  return lines;
+}
+
 // Fitted to the grips, unless the user places the lines: by fit = "none", or by a phase of his own. A blank so small
 // that the fit would leave too few cells keeps the asked spacing.
 LineLayout choose_lines(const BlankSpec& blank, const Outline& outline, const GripRegions& grips, const Vec2& asked) {
+  if (blank.on_roll) return lines_of_roll(blank, asked);
   const LineLayout as_asked{asked, blank.phase};
   if (blank.fit == "none" || blank.phase != Vec2{0.0, 0.0}) return as_asked;
   const LineLayout fitted = fit_lines(outline, grips, asked);
@@ -189,20 +211,36 @@ NodeSet outline_set(const Mesh& mesh) {
   return set;
 }
 
-void collect_sets(const YarnNet& net, const GripRegions& grips, Mesh& mesh, std::vector<std::string>& complaints) {
+void collect_sets(const YarnNet& net, const GripRegions& grips, Mesh& mesh) {
   for (std::size_t g = 0; g < grips.region.size(); ++g) {
     NodeSet set{grips.region[g].name, {}};
     for (int n = 0; n < mesh.node_count(); ++n)
       if (net.grip_of_node[n] == static_cast<int>(g)) set.node.push_back(n);
-    if (set.node.empty())
-      complaints.push_back(
-          fmt::format("grip '{}' holds no node: nothing of the blank lies there, or an earlier grip has it all; "
-                      "enlarge its box, or "
-                      "name an edge of the blank",
-                      set.name));
     mesh.sets.push_back(std::move(set));
   }
   mesh.sets.push_back(outline_set(mesh));
+}
+
+void check_grips_hold(const Scene& scene, const Mesh& mesh, std::vector<std::string>& complaints) {
+  for (const auto& grip : scene.grip)
+    for (const auto& set : mesh.sets)
+      if (set.name == grip.name && set.node.empty())
+        complaints.push_back(
+            fmt::format("grip '{}' holds no node: nothing of the blank lies there, or an earlier grip has it all; "
+                        "enlarge its box, or name an edge of the blank",
+                        set.name));
+}
+
+bool is_cross(const BlankSpec& blank) {
+  return blank.shape == "cross";
+}
+
+// The edges of a cross are the ends of its arms, not the sides of its middle.
+void leave_edges_to_arms(GripRegions& grips) {
+  for (auto& region : grips.region) {
+    region.edge.clear();
+    region.end.clear();
+  }
 }
 
 std::vector<Hold> holds(const YarnNet& net, const GripRegions& grips) {
@@ -225,22 +263,25 @@ void place_in_world(const YarnNet& net, const BlankSpec& blank, Mesh& mesh) {
 
 Mesh build(const Scene& scene, const Card& card) {
   const BlankSpec& blank = scene.blank;
-  if (blank.shape != "rectangle")
-    complain(scene, {fmt::format("blank.shape: '{}' is not a known shape; use 'rectangle'", blank.shape)});
   const Turn yarns = turn_by_degrees(blank.yarn_angle);
   const Vec2 asked = model_spacing(blank, card);
-  const Outline outline = rectangle_outline(blank.size, yarns);
 
   std::vector<std::string> complaints;
-  check_size(blank, outline, yarns, asked, complaints);
   if (scene.frame) check_frame(scene, complaints);
+  if (is_cross(blank)) check_cross(scene, complaints);
+  const Outline outline = blank_outline(scene, yarns, complaints);
+  if (!complaints.empty()) complain(scene, complaints);
+  check_size(blank, outline, yarns, asked, complaints);
   // Ends on the outline are found to the net's tolerance; twice over, at the corners.
   const double tolerance = 4e-7 * std::min(asked[0], asked[1]);
-  const GripRegions grips = grip_regions(scene, outline, yarns, tolerance, complaints);
+  GripRegions grips = grip_regions(scene, outline, yarns, tolerance, complaints);
+  if (is_cross(blank)) leave_edges_to_arms(grips);
   if (!complaints.empty()) complain(scene, complaints);
 
   Mesh mesh;
-  const LineLayout lines = scene.frame ? frame_lines(blank, asked) : choose_lines(blank, outline, grips, asked);
+  const LineLayout lines = scene.frame       ? lines_on_sides(blank.size, asked)
+                           : is_cross(blank) ? lines_on_sides({*blank.arm_width, *blank.arm_width}, asked)
+                                             : choose_lines(blank, outline, grips, asked);
   YarnNet net = lay_lines(outline, lines.spacing, lines.phase);
   do {
     place_ends(net, grips);
@@ -255,11 +296,13 @@ Mesh build(const Scene& scene, const Card& card) {
   mesh.thickness = card.thickness;
   mesh.nodes.mass.assign(net.place.size(), 0.0);
   index_crossings(net, mesh);
-  collect_sets(net, grips, mesh, complaints);
-  if (!complaints.empty()) complain(scene, complaints);
+  collect_sets(net, grips, mesh);
   lump(mesh, card, real_coarsening(lines.spacing, card), holds(net, grips));
   tie_free_ends(mesh, holds(net, grips));
   if (scene.frame) attach_frame(scene, card, mesh);
+  if (is_cross(blank)) attach_cross(scene, card, mesh);
+  check_grips_hold(scene, mesh, complaints);
+  if (!complaints.empty()) complain(scene, complaints);
   return mesh;
 }
 

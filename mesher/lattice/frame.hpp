@@ -16,10 +16,6 @@ namespace weaveform::lattice {
 // own.
 void check_frame(const Scene& scene, std::vector<std::string>& complaints);
 
-// Lines through the square's edges: as many spacings as come nearest to the asked one, so that the fabric ends at yarns
-// and the arms begin at crossings.
-[[nodiscard]] LineLayout frame_lines(const BlankSpec& blank, const Vec2& asked);
-
 // Adds to a finished mesh of the square: an arm element from the end of each yarn to its member (one element: a chain
 // of pinned pieces without cross yarns would be a mechanism), the ties that hold the arms' ends on the members, and the
 // four corners. The pulled corner lies along the first quadrant's diagonal of the blank's frame: pulling it shears

@@ -90,6 +90,25 @@ void check_material(const Scene& scene, const toml::table& root, Complaints& com
                              did_you_mean(name, builtin_card_names())));
 }
 
+void check_blank(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  const toml::table* table = table_at(root, "blank", 0);
+  if (table == nullptr) return;
+  const BlankSpec& blank = scene.blank;
+  const auto goes_with = [&](const char* key, bool given, const char* shape) {
+    if (given && blank.shape != shape)
+      complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs shape = \"{}\", not \"{}\"",
+                                                        key, shape, blank.shape));
+    if (!given && blank.shape == shape)
+      complaints.add(place_of(*table, "shape"), fmt::format("a blank of shape \"{}\" needs '{}'; add it", shape, key));
+  };
+  goes_with("corners", !blank.corners.empty(), "polygon");
+  goes_with("outline", !blank.outline.empty(), "file");
+  goes_with("arm_width", blank.arm_width.has_value(), "cross");
+  if (blank.on_roll && blank.phase != std::array<double, 2>{0.0, 0.0})
+    complaints.add(place_of(*table, "phase"),
+                   "[blank] has both 'on_roll' and 'phase'; keep one, each says where the yarns lie");
+}
+
 // Keys that no chosen element or law would read.
 void check_model(const Scene& scene, const toml::table& root, Complaints& complaints) {
   const toml::table* table = table_at(root, "model", 0);
@@ -123,6 +142,7 @@ void check_scene(const Scene& scene, const toml::table& root, Complaints& compla
   check_material(scene, root, complaints);
   check_names(scene.grip, root, "grip", complaints);
   check_names(scene.measure, root, "measure", complaints);
+  check_blank(scene, root, complaints);
   check_grips(scene, root, complaints);
   check_model(scene, root, complaints);
   check_measures(scene, root, complaints);

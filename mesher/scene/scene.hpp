@@ -24,7 +24,11 @@ struct BlankSpec {
   double yarn_angle = 45.0;                     // deg; from the blank's x axis to the warp direction, counter-clockwise
   std::array<double, 2> coarsening = {1.0, 1.0};  // yarns per model yarn, for warp and for weft yarns
   std::array<double, 2> phase = {
-      0.0, 0.0};              // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
+      0.0, 0.0};  // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
+  std::vector<std::vector<double>> corners;      // mm; of a polygon, [x, y] each, blank frame
+  std::string outline;                           // file of the outline; relative to the scene file
+  Auto arm_width;                                // mm; of a cross
+  std::optional<std::array<double, 2>> on_roll;  // mm; where the centre lies on the roll; none: lines by phase and fit
   std::string fit = "grips";  // "grips": spacing (within 15 %) and phase meet the ends of the gripped edges; "none"
   double orientation = 0.0;   // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
   std::array<double, 3> position = {0.0, 0.0, 0.0};  // mm; where the blank's centre lies in the world

@@ -12,9 +12,33 @@ const std::vector<Key<FabricSpec>> fabric_keys = {
 };
 
 const std::vector<Key<BlankSpec>> blank_keys = {
-    key<&BlankSpec::shape>({.name = "shape", .allowed = {"rectangle"}, .doc = "outline of the flat blank"}),
-    key<&BlankSpec::size>(
-        {.name = "size", .unit = "mm", .limits = above(0, 1e5), .doc = "extent along the blank's own x and y axes"}),
+    key<&BlankSpec::shape>({.name = "shape",
+                            .allowed = {"rectangle", "disc", "cross", "polygon", "file"},
+                            .doc = "outline of the flat blank: `rectangle`; `disc`, an ellipse of the given extents; "
+                                   "`cross`: a square of `arm_width` whose yarns run on into four arms without cross "
+                                   "yarns; `polygon` of `corners`; `file`: `outline`, with holes and notches"}),
+    key<&BlankSpec::size>({.name = "size",
+                           .unit = "mm",
+                           .limits = above(0, 1e5),
+                           .doc = "extent along the blank's own x and y axes; a polygon and a file have their own"}),
+    key<&BlankSpec::corners>({.name = "corners",
+                              .unit = "mm",
+                              .doc =
+                                  "of a polygon, [x, y] each in the blank's frame, either way around; the last joins "
+                                  "the first"}),
+    key<&BlankSpec::outline>(
+        {.name = "outline",
+         .doc = "for shape = \"file\", relative to the scene file: CSV with rows x,y (mm, blank's frame), closed "
+                "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
+    key<&BlankSpec::arm_width>({.name = "arm_width",
+                                .unit = "mm",
+                                .limits = above(0),
+                                .doc = "of a cross, which needs it; its yarns run "
+                                       "along the arms"}),
+    key<&BlankSpec::on_roll>({.name = "on_roll",
+                              .unit = "mm",
+                              .doc = "where the blank's centre lies on the roll, along warp and weft from a crossing; "
+                                     "yarns then lie exactly where the roll has them, in this blank and the next"}),
     key<&BlankSpec::yarn_angle>({.name = "yarn_angle",
                                  .unit = "deg",
                                  .limits = between(-360, 360),

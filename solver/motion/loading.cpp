@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/outline/blank_outline.hpp"
 #include "solver/contact/tool_motion.hpp"
 #include "solver/motion/grips.hpp"
 
@@ -21,7 +22,8 @@ double least_shear_tangent(const ShearCard& card) {
 }  // namespace
 
 Loading choose_loading(const Scene& scene, const Card& card) {
-  const double length = std::max(scene.blank.size[0], scene.blank.size[1]);
+  const auto extent = blank_extent(scene);
+  const double length = std::max(extent[0], extent[1]);
   const double shear_stiffness = least_shear_tangent(card.shear) * card.thickness;  // N/mm
   Loading loading;
   loading.crossing_time = length * std::sqrt(card.area_density() / shear_stiffness);

@@ -7,14 +7,15 @@
 #include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/outline/blank_outline.hpp"
 
 namespace weaveform {
 namespace {
 
-std::array<double, 4> box_of(const MeasureSpec& measure, const BlankSpec& blank) {
+std::array<double, 4> box_of(const MeasureSpec& measure, double width) {
   if (measure.box) return *measure.box;
   std::array<double, 4> box = measure.relative_box.value_or(std::array<double, 4>{-1e9, -1e9, 1e9, 1e9});
-  for (auto& side : box) side *= blank.size[0];
+  for (auto& side : box) side *= width;
   return box;
 }
 
@@ -55,7 +56,7 @@ std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh) {
   }
   std::vector<Probe> probes;
   for (const auto& measure : scene.measure) {
-    const auto box = box_of(measure, scene.blank);
+    const auto box = box_of(measure, blank_extent(scene)[0]);
     Probe probe{.name = measure.name, .cell = {}, .weight = {}};
     for (int c = 0; c < mesh.cells.size(); ++c) {
       const auto [x, y] = centre[c];

@@ -6,6 +6,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/identify_shear_test.cpp
   unit/mesher/identify_tension_test.cpp
   unit/mesher/law_test.cpp
+  unit/mesher/outline_zoo_test.cpp
   unit/mesher/polynomial_test.cpp
   unit/mesher/scene_complaint_test.cpp
   unit/mesher/scene_test.cpp
