@@ -40,6 +40,7 @@ struct ModelSpec {
   std::string yarn_law =
       "card";  // "card", or "linear": the card's linear modulus from zero strain on (decrimping taken out)
   double yarn_stiffness_scale = 1.0;  // factor on all yarn moduli
+  std::string symmetry = "auto";      // "auto", "quarter", "half", "none": how little of a symmetric blank is solved
   bool operator==(const ModelSpec&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesher/base/progress.hpp"
+#include "mesher/symmetry/cut_part.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/lattice/forces.hpp"
 #include "solver/motion/checkpoint.hpp"
@@ -14,6 +15,7 @@
 #include "solver/motion/force_term.hpp"
 #include "solver/motion/grips.hpp"
 #include "solver/motion/loading.hpp"
+#include "solver/motion/mirror_planes.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/motion/picture_frame.hpp"
 #include "solver/motion/recorder.hpp"
@@ -25,8 +27,9 @@ namespace weaveform {
 
 class Analysis {
 public:
-  Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory,
-           const SolveOptions& options);
+  // `part` of the whole mesh is solved when given; results are those of the whole all the same.
+  Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& scene, const Card& card,
+           std::filesystem::path directory, const SolveOptions& options);
   SolveResult run();
 
 private:
@@ -42,6 +45,8 @@ private:
   void move(bool last);
   void check_state();
   [[nodiscard]] const std::vector<ToolReading>& tool_readings() const;
+  void find_grip_images();
+  [[nodiscard]] std::vector<double> whole_grip_forces() const;
   [[nodiscard]] double travelled() const;
   [[nodiscard]] bool finished() const { return state_.time >= duration_ * (1.0 - 1e-12); }
 
@@ -54,7 +59,10 @@ private:
   [[nodiscard]] SolveResult result();
   [[noreturn]] void fail(const std::string& what) const;
 
-  const Mesh& mesh_;
+  const Mesh& whole_;
+  const SymmetricPart* part_;  // null when the whole is solved
+  const Mesh& mesh_;           // what is solved
+  const int parts_;            // the whole is this many times what is solved
   const Scene& scene_;
   const Card& card_;
   std::filesystem::path directory_;
@@ -63,6 +71,7 @@ private:
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;
+  std::unique_ptr<MirrorPlanes> mirrors_;  // null when the whole is solved
   std::unique_ptr<Ties> ties_;  // null when no node follows others, or a rigid frame moves them all
   State state_;
   std::vector<Grip> grips_;
@@ -79,8 +88,9 @@ private:
   std::unique_ptr<FrameWriter> frames_;
   Progress progress_;
 
-  EnergyBalance balance_;
-  double grip_work_ = 0.0, damping_work_ = 0.0;  // mJ
+  std::vector<std::vector<int>> grip_image_;     // per mirror plane: the grip that each is mirrored onto
+  EnergyBalance balance_;                        // of the whole
+  double grip_work_ = 0.0, damping_work_ = 0.0;  // mJ; of what is solved
   StableStep stable_;
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
   double viscous_time_ = 0.0;                                    // s; beta of yarn.hpp

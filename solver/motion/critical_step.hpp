@@ -9,6 +9,7 @@
 // N/L.
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ public:
   [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::vector<double>& further = {}) const;
 
 private:
+  void take_images(std::vector<Eigen::Matrix3d>& bound, std::vector<double>& cell_rows) const;
+  void add_other_sides(std::vector<Eigen::Matrix3d>& bound) const;
+
   const Mesh& mesh_;
   ShearCard shear_;
   std::array<double, 2> stiffest_{};
