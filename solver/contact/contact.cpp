@@ -31,6 +31,13 @@ Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
     area[packed.packed_of_mesh[image.of]] += there;
     there = 0.0;
   }
+  for (const auto& tie : mesh.tie) {  // a node that follows others touches through them, as it has its mass in them
+    double& there = area[packed.packed_of_mesh[tie.node]];
+    const double share = std::max(tie.share, 0.0);
+    area[packed.packed_of_mesh[tie.to[0]]] += (1.0 - share) * there;
+    area[packed.packed_of_mesh[tie.to[1]]] += share * there;
+    there = 0.0;
+  }
   return area;
 }
 
