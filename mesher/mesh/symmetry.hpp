@@ -16,7 +16,8 @@ struct SymmetryPlane {
   std::array<double, 3> normal = {1.0, 0.0, 0.0};  // unit; the mesh lies on the side it points to
 };
 
-// x of `node` = image of x of `of` in every plane whose bit is set; `of` is no image itself.
+// x of `node` = image of x of `of` in every plane whose bit is set; `of` is no image itself. Either may stand in a tie:
+// `of` as one that follows others, `node` as one that is followed.
 struct MirrorImage {
   int node = 0;
   int of = 0;

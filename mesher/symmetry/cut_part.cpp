@@ -149,7 +149,8 @@ struct Cutter {
   void take_ties_and_sets() {
     for (const auto& tie : whole.tie) {
       if (beyond(whole.nodes.position[tie.node]) != 0) continue;
-      part.mesh.tie.push_back({part_of_whole[tie.node], {part_of_whole[tie.to[0]], part_of_whole[tie.to[1]]}, tie.share});
+      part.mesh.tie.push_back(
+          {part_of_whole[tie.node], {node_of_element(tie.to[0]), node_of_element(tie.to[1])}, tie.share});
     }
     for (const auto& set : whole.sets) {
       NodeSet own{set.name, {}};

@@ -82,10 +82,15 @@ std::string map_nodes(const Mesh& mesh, const SymmetryPlane& plane, double toler
     image[n] = m;
     if (std::abs(height(plane, x)) <= tolerance && m != n)
       return words_of(mesh, n) + " lies beside another one in the plane";
-    if ((mesh.nodes.crossing[n][0] < 0) != (mesh.nodes.crossing[m][0] < 0) ||
-        !alike(mesh.nodes.mass[n], mesh.nodes.mass[m]))
-      return fmt::format("{} has {:.6g} tonne, its mirror image {:.6g}", words_of(mesh, n), mesh.nodes.mass[n],
-                         mesh.nodes.mass[m]);
+  }
+  return "";
+}
+
+std::string compare_masses(const Mesh& mesh, const std::vector<int>& image) {
+  for (int n = 0; n < mesh.node_count(); ++n) {
+    const double mass = mesh.nodes.mass[n], other = mesh.nodes.mass[image[n]];
+    if (!alike(mass, other))
+      return fmt::format("{} has {:.6g} tonne, its mirror image {:.6g}", words_of(mesh, n), mass, other);
   }
   return "";
 }
@@ -179,23 +184,14 @@ std::string map_cells(const Mesh& mesh, const std::array<FamilyImage, 2>& family
   return "";
 }
 
-// A tied node follows nodes of its own side.
-std::string check_ties(const Mesh& mesh, const SymmetryPlane& plane, double tolerance, const MirrorMap& map) {
+std::string check_ties(const Mesh& mesh, const MirrorMap& map) {
   std::vector<int> tie_at(mesh.node_count(), -1);
   for (std::size_t t = 0; t < mesh.tie.size(); ++t) tie_at[mesh.tie[t].node] = static_cast<int>(t);
-  const auto side = [&](int n) {
-    const double h = height(plane, mesh.nodes.position[n]);
-    return h > tolerance ? 1 : h < -tolerance ? -1 : 0;
-  };
   for (const auto& tie : mesh.tie) {
     const int other = tie_at[map.node[tie.node]];
     const bool like = other >= 0 && mesh.tie[other].to[0] == map.node[tie.to[0]] &&
                       mesh.tie[other].to[1] == map.node[tie.to[1]] && alike(mesh.tie[other].share, tie.share);
     if (!like) return fmt::format("the yarn end at {} is not tied like its mirror image", words_of(mesh, tie.node));
-    const int own = side(tie.node);
-    for (const int n : tie.to)
-      if (side(n) != own && side(n) != 0)
-        return fmt::format("the yarn end at {} follows a crossing beyond the plane", words_of(mesh, tie.node));
   }
   return "";
 }
@@ -224,11 +220,15 @@ std::string find_mirror_map(const Mesh& mesh, const SymmetryPlane& plane, Mirror
                                              image_of(mirrored_vector(along[1], plane), along)};
   if (family[0].family < 0 || family[1].family < 0) return "the yarns do not run along it, across it or at 45 deg to it";
   map.swaps_families = family[0].family == 1;
+  if (map.swaps_families && !alike(mesh.spacing[0], mesh.spacing[1]))
+    return fmt::format("it swaps warp and weft, which lie {:.6g} and {:.6g} mm apart", mesh.spacing[1],
+                       mesh.spacing[0]);
   std::string why = map_nodes(mesh, plane, tolerance, map.node);
   if (why.empty()) why = map_sets(mesh, map);
+  if (why.empty()) why = compare_masses(mesh, map.node);
   if (why.empty()) why = map_yarns(mesh, map);
   if (why.empty()) why = map_cells(mesh, family, map);
-  if (why.empty()) why = check_ties(mesh, plane, tolerance, map);
+  if (why.empty()) why = check_ties(mesh, map);
   return why;
 }
 

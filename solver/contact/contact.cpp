@@ -26,11 +26,14 @@ Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
     for (int a = begin; a < end; ++a)
       area[packed.packed_of_mesh[mesh.cells.node[a]]] += mesh.cells.area[c] / (end - begin);
   }
-  for (const auto& image : mesh.symmetry.image) {  // beyond a mirror plane
-    double& there = area[packed.packed_of_mesh[image.node]];
-    area[packed.packed_of_mesh[image.of]] += there;
-    there = 0.0;
-  }
+  const auto take_images = [&] {  // beyond a mirror plane
+    for (const auto& image : mesh.symmetry.image) {
+      double& there = area[packed.packed_of_mesh[image.node]];
+      area[packed.packed_of_mesh[image.of]] += there;
+      there = 0.0;
+    }
+  };
+  take_images();
   for (const auto& tie : mesh.tie) {  // a node that follows others touches through them, as it has its mass in them
     double& there = area[packed.packed_of_mesh[tie.node]];
     const double share = std::max(tie.share, 0.0);
@@ -38,6 +41,7 @@ Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
     area[packed.packed_of_mesh[tie.to[1]]] += share * there;
     there = 0.0;
   }
+  take_images();
   return area;
 }
 

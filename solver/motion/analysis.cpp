@@ -42,9 +42,9 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       threads_(choose_threads(options.threads, mesh_.cells.size())),
       yarn_laws_(yarn_laws(card, scene.model)),
       packed_(pack_mesh(mesh_)),
-      mirrors_(part != nullptr ? std::make_unique<MirrorPlanes>(mesh_, packed_) : nullptr),
       ties_(mesh_.tie.empty() || (scene.frame && scene.frame->rigid) ? nullptr
                                                                      : std::make_unique<Ties>(mesh_, packed_)),
+      mirrors_(part != nullptr ? std::make_unique<MirrorPlanes>(mesh_, packed_) : nullptr),
       state_(initial_state(packed_, mesh_)),
       grips_(make_grips(scene, mesh_, packed_)),
       forces_(packed_, card, yarn_laws_, scene.model, state_, threads_),
@@ -90,13 +90,13 @@ void Analysis::find_grip_images() {
 }
 
 // A grip of the whole is held by its own nodes and by those of its images, each over its part of the fabric.
-std::vector<double> Analysis::whole_grip_forces() const {
-  std::vector<double> force = grip_force_;
+const std::vector<double>& Analysis::whole_grip_forces() {
+  whole_grip_force_ = grip_force_;
   for (const auto& image : grip_image_) {
-    const std::vector<double> own = force;
-    for (std::size_t g = 0; g < force.size(); ++g) force[g] += own[image[g]];
+    one_side_ = whole_grip_force_;
+    for (std::size_t g = 0; g < one_side_.size(); ++g) whole_grip_force_[g] += one_side_[image[g]];
   }
-  return force;
+  return whole_grip_force_;
 }
 
 void Analysis::add_terms() {
@@ -169,7 +169,15 @@ void Analysis::compute_forces() {
   for (const auto& term : terms_) term->add_forces(state_, step_);
   if (mirrors_) mirrors_->give_forces(state_);
   if (ties_) ties_->give_forces(state_);
-  if (mirrors_) mirrors_->hold(state_);
+  if (!mirrors_) return;
+  if (ties_) mirrors_->give_forces(state_);
+  mirrors_->hold(state_);
+}
+
+void Analysis::follow() {
+  if (mirrors_) mirrors_->follow(state_);
+  if (ties_) ties_->follow(state_);
+  if (mirrors_ && ties_) mirrors_->follow(state_);
 }
 
 // After a checkpoint: the terms have moved on to this time already, and the whole force is that of the checkpoint.
@@ -231,8 +239,7 @@ void Analysis::move(bool last) {
   // the last step only tells the velocities and reactions at the end; its motion is taken back
   const Components end_position = last ? state_.position : Components{};
   const auto& outcome = motion_.advance(state_, grips_, displacement_, displacement_next_, step_before_, step);
-  if (ties_) ties_->follow(state_);
-  if (mirrors_) mirrors_->follow(state_);
+  follow();
   if (last) state_.position = end_position;
 
   for (std::size_t g = 0; g < grips_.size(); ++g) {

@@ -36,6 +36,7 @@ private:
   // The loop, in the order of the theory: step length, outputs due, motion, forces.
   void renew_step();
   void compute_forces();
+  void follow();
   void recompute_fabric_forces();
   [[nodiscard]] double stored_energy(const std::vector<Vec3>& position);
   void close_balance(double kinetic);
@@ -46,7 +47,7 @@ private:
   void check_state();
   [[nodiscard]] const std::vector<ToolReading>& tool_readings() const;
   void find_grip_images();
-  [[nodiscard]] std::vector<double> whole_grip_forces() const;
+  [[nodiscard]] const std::vector<double>& whole_grip_forces();
   [[nodiscard]] double travelled() const;
   [[nodiscard]] bool finished() const { return state_.time >= duration_ * (1.0 - 1e-12); }
 
@@ -71,8 +72,8 @@ private:
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;
-  std::unique_ptr<MirrorPlanes> mirrors_;  // null when the whole is solved
   std::unique_ptr<Ties> ties_;  // null when no node follows others, or a rigid frame moves them all
+  std::unique_ptr<MirrorPlanes> mirrors_;  // null when the whole is solved
   State state_;
   std::vector<Grip> grips_;
   FabricForces forces_;
@@ -99,6 +100,7 @@ private:
   Fields fields_;                                         // of the open row or frame
   std::vector<double> displacement_, displacement_next_;  // mm; per grip
   std::vector<double> grip_force_, grip_force_before_;    // N; per grip, along its direction
+  std::vector<double> whole_grip_force_, one_side_;       // N; the same of the whole, and on the way there
   std::vector<double> grip_displacement_before_;          // mm; at the step before
   double damping_power_before_ = 0.0;                     // mJ/s
   double worst_error_ = 0.0, worst_ratio_ = 0.0;

@@ -56,11 +56,13 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
 }
 
 // An image's rows are those of its node, mirrored.
-void CriticalStep::take_images(std::vector<Matrix3d>& bound, std::vector<double>& cell_rows) const {
+void CriticalStep::move_images(std::vector<Matrix3d>& bound, std::vector<double>& cell_rows) const {
   for (const auto& image : mesh_.symmetry.image) {
     const Matrix3d mirror = reflection(mesh_.symmetry, image.planes);
     bound[image.of] += mirror * bound[image.node] * mirror;
     cell_rows[image.of] += cell_rows[image.node];
+    bound[image.node].setZero();
+    cell_rows[image.node] = 0.0;
   }
 }
 
@@ -108,7 +110,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
           factor * sum *
           (std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2);
   }
-  take_images(bound, cell_rows);
+  move_images(bound, cell_rows);
   for (const auto& tie : mesh_.tie) {
     const TieWeights weight = tie_weights(tie.share);
     bound[tie.to[0]] += weight.first * bound[tie.node];
@@ -116,6 +118,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
     cell_rows[tie.to[0]] += weight.first * cell_rows[tie.node];
     cell_rows[tie.to[1]] += weight.second * cell_rows[tie.node];
   }
+  move_images(bound, cell_rows);
   add_other_sides(bound);
   double greatest = 0.0;
   int at = -1;

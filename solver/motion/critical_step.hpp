@@ -36,7 +36,7 @@ public:
   [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::vector<double>& further = {}) const;
 
 private:
-  void take_images(std::vector<Eigen::Matrix3d>& bound, std::vector<double>& cell_rows) const;
+  void move_images(std::vector<Eigen::Matrix3d>& bound, std::vector<double>& cell_rows) const;
   void add_other_sides(std::vector<Eigen::Matrix3d>& bound) const;
 
   const Mesh& mesh_;

@@ -2,13 +2,16 @@
 
 namespace weaveform {
 
-MirrorPlanes::MirrorPlanes(const Mesh& mesh, const PackedMesh& packed)
+MirrorPlanes::MirrorPlanes(const Mesh& mesh, PackedMesh& packed)
     : plane_(mesh.symmetry.plane), on_plane_(mesh.symmetry.on_plane) {
   for (auto& nodes : on_plane_)
     for (int& n : nodes) n = packed.packed_of_mesh[n];
-  for (const auto& image : mesh.symmetry.image)
-    image_.push_back({packed.packed_of_mesh[image.node], packed.packed_of_mesh[image.of], image.planes,
-                      mesh.nodes.position[image.node], mesh.nodes.position[image.of]});
+  for (const auto& image : mesh.symmetry.image) {
+    const int node = packed.packed_of_mesh[image.node], of = packed.packed_of_mesh[image.of];
+    packed.mass[of] += packed.mass[node];
+    packed.mass[node] = 0.0;
+    image_.push_back({node, of, image.planes, mesh.nodes.position[image.node], mesh.nodes.position[image.of]});
+  }
 }
 
 void MirrorPlanes::give_forces(State& state) const {

@@ -12,12 +12,13 @@ namespace weaveform {
 
 class MirrorPlanes {
 public:
-  MirrorPlanes(const Mesh& mesh, const PackedMesh& packed);
-  // The force on an image, mirrored back, acts on the node itself. Before forces go from tied nodes to others.
+  // After the ties: mass that they gave to images goes to the nodes themselves.
+  MirrorPlanes(const Mesh& mesh, PackedMesh& packed);
+  // The force on an image, mirrored back, acts on the node itself. Before and after forces go from tied nodes to others.
   void give_forces(State& state) const;
   // Takes out what presses nodes against their plane: the other side presses back. After all forces are given.
   void hold(State& state) const;
-  // Positions and velocities of the images. After tied nodes have followed theirs.
+  // Positions and velocities of the images. Before and after tied nodes follow theirs.
   void follow(State& state) const;
 
 private:

@@ -4,6 +4,7 @@ set(VERIFY_SOURCES
   verify/fit_traps_test.cpp
   verify/bias_extension_test.cpp
   verify/shear_frame_test.cpp
+  verify/symmetry_test.cpp
   support/run_command.cpp
   verify/contact_friction_test.cpp
   verify/contact_limits_test.cpp

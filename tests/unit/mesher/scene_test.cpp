@@ -43,7 +43,8 @@ Scene unusual_scene() {
                  .thickness = "constant",
                  .section = "constant",
                  .yarn_law = "linear",
-                 .yarn_stiffness_scale = 0.01};
+                 .yarn_stiffness_scale = 0.01,
+                 .symmetry = "half"};
   scene.grip = {{.name = "held", .edge = "left", .box = {}, .travel = 0, .direction = {}, .free = {"x", "z"}},
                 {.name = "pulled",
                  .edge = "",
