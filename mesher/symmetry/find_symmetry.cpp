@@ -34,8 +34,9 @@ Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh) {
     const SymmetryPlane plane = blank_plane(scene.blank, axis);
     MirrorMap map;
     std::string& why = symmetry.why[axis];
-    why = find_mirror_map(mesh, plane, map);
-    if (why.empty()) why = find_load_difference(scene, card, mesh, axis, map);
+    why = find_load_difference(scene, card, axis);
+    if (why.empty()) why = find_mirror_map(mesh, plane, map);
+    if (why.empty()) why = find_law_difference(scene, card, map);
     if (!why.empty()) continue;
     symmetry.plane.push_back(plane);
     symmetry.map.push_back(std::move(map));

@@ -22,23 +22,27 @@ double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// What no plane mirrors, whatever the loads.
-std::string laws_difference(const Scene& scene, const Card& card, const MirrorMap& map) {
-  const auto& model = scene.model;
-  if (scene.analysis.perturbation > 0.0) return "analysis.perturbation is random";
-  // Terms beyond yarns and cells need to know of mirror planes; these two have none.
-  if (model.yarn != "truss" || model.cell != "membrane")
-    return fmt::format("a model of {} yarns and {} cells has no mirror planes", model.yarn, model.cell);
-  if (!map.swaps_families) return "";
-  if (!(card.yarn[0] == card.yarn[1])) return "it swaps warp and weft, whose cards differ";
-  if (model.formulation == "side-frame") return "it swaps warp and weft, and the side frame follows the warp";
-  return "";
-}
-
 std::string gravity_difference(const Scene& scene, const SymmetryPlane& plane) {
   const Vector& gravity = scene.analysis.gravity;
   const double size = std::sqrt(dot(gravity, gravity));
   return std::abs(dot(gravity, plane.normal)) > direction_rounding * size ? "gravity pulls across it" : "";
+}
+
+std::string mirrored_edge(const std::string& edge, int axis) {
+  constexpr std::array<std::array<const char*, 2>, 2> opposite = {{{"left", "right"}, {"bottom", "top"}}};
+  if (edge == opposite[axis][0]) return opposite[axis][1];
+  return edge == opposite[axis][1] ? opposite[axis][0] : edge;
+}
+
+bool holds_the_image(const GripSpec& grip, const GripSpec& other, int axis) {
+  if (!grip.box || !other.box) return !grip.box && !other.box && other.edge == mirrored_edge(grip.edge, axis);
+  auto box = *grip.box;  // xmin, ymin, xmax, ymax
+  std::swap(box[axis], box[axis + 2]);
+  box[axis] = -box[axis];
+  box[axis + 2] = -box[axis + 2];
+  for (std::size_t k = 0; k < 4; ++k)
+    if (std::abs(box[k] - (*other.box)[k]) > place_rounding) return false;
+  return true;
 }
 
 // A grip at rest may point anywhere: its force across the plane is zero.
@@ -49,8 +53,8 @@ std::string grip_difference(const GripSpec& grip, const GripSpec& image, int axi
   double off = 0.0;
   for (std::size_t c = 0; c < 3; ++c) off = std::max(off, std::abs(mirrored[c] - direction[c]));
   const bool same = grip.name == image.name;
-  const std::string names = same ? fmt::format("grip '{}'", grip.name)
-                                 : fmt::format("grips '{}' and '{}'", grip.name, image.name);
+  const std::string names =
+      same ? fmt::format("grip '{}'", grip.name) : fmt::format("grips '{}' and '{}'", grip.name, image.name);
   if (off > direction_rounding && !(same && grip.travel == 0.0))
     return names + (same ? " pulls across it" : " do not pull in mirrored directions");
   const auto freedoms = [](const GripSpec& g) {
@@ -62,16 +66,12 @@ std::string grip_difference(const GripSpec& grip, const GripSpec& image, int axi
   return "";
 }
 
-std::string grips_difference(const Scene& scene, const Mesh& mesh, int axis, const MirrorMap& map) {
-  const auto named = [&](const std::string& name) {
-    return std::find_if(scene.grip.begin(), scene.grip.end(), [&](const GripSpec& g) { return g.name == name; });
-  };
-  for (std::size_t s = 0; s < mesh.sets.size(); ++s) {
-    const auto grip = named(mesh.sets[s].name);
-    if (grip == scene.grip.end()) continue;
-    const auto image = named(mesh.sets[map.set[s]].name);
-    if (image == scene.grip.end()) return fmt::format("grip '{}' has no mirror image", grip->name);
-    const std::string why = grip_difference(*grip, *image, axis);
+std::string grips_difference(const Scene& scene, int axis) {
+  for (const auto& grip : scene.grip) {
+    const auto image = std::find_if(scene.grip.begin(), scene.grip.end(),
+                                    [&](const GripSpec& other) { return holds_the_image(grip, other, axis); });
+    if (image == scene.grip.end()) return fmt::format("grip '{}' has none like it opposite", grip.name);
+    const std::string why = grip_difference(grip, *image, axis);
     if (!why.empty()) return why;
   }
   return "";
@@ -100,11 +100,13 @@ bool shape_is_mirrored(const Tool& tool, const SymmetryPlane& plane) {
 }
 
 std::string tools_difference(const Scene& scene, double thickness, const SymmetryPlane& plane) {
+  for (const auto& spec : scene.tools)
+    if (spec.shape == "triangles")
+      return fmt::format("tool '{}' is made of triangles, whose symmetry is not looked for", spec.name);
   const auto tools = make_tools(scene, thickness);
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const ToolSpec& spec = scene.tools[t];
     const std::string name = fmt::format("tool '{}'", spec.name);
-    if (tools[t].shape == ToolShape::triangles) return name + " is made of triangles, whose symmetry is not looked for";
     if (!shape_is_mirrored(tools[t], plane)) return name + " stands to one side of it or leans across it";
     const bool moves = spec.travel != 0.0 || spec.force;
     if (moves && std::abs(dot(tools[t].direction, plane.normal)) > direction_rounding) return name + " moves across it";
@@ -120,14 +122,25 @@ SymmetryPlane blank_plane(const BlankSpec& blank, int axis) {
   return {blank.position, {normal[0], normal[1], 0.0}};
 }
 
-std::string find_load_difference(const Scene& scene, const Card& card, const Mesh& mesh, int axis,
-                                 const MirrorMap& map) {
+std::string find_load_difference(const Scene& scene, const Card& card, int axis) {
   const SymmetryPlane plane = blank_plane(scene.blank, axis);
-  std::string why = laws_difference(scene, card, map);
-  if (why.empty()) why = gravity_difference(scene, plane);
-  if (why.empty()) why = grips_difference(scene, mesh, axis, map);
-  if (why.empty()) why = tools_difference(scene, mesh.thickness, plane);
+  if (scene.frame) return "a shear frame holds the fabric";
+  if (scene.analysis.perturbation > 0.0) return "analysis.perturbation is random";
+  std::string why = gravity_difference(scene, plane);
+  if (why.empty()) why = grips_difference(scene, axis);
+  if (why.empty()) why = tools_difference(scene, card.thickness, plane);
   return why;
+}
+
+std::string find_law_difference(const Scene& scene, const Card& card, const MirrorMap& map) {
+  const auto& model = scene.model;
+  // Terms beyond yarns and cells need to know of mirror planes; none does so far.
+  if (model.yarn != "truss" || model.cell != "membrane")
+    return fmt::format("a model of {} yarns and {} cells has no mirror planes", model.yarn, model.cell);
+  if (!map.swaps_families) return "";
+  if (!(card.yarn[0] == card.yarn[1])) return "it swaps warp and weft, whose yarns differ";
+  if (model.formulation == "side-frame") return "it swaps warp and weft, and the side frame follows the warp";
+  return "";
 }
 
 }  // namespace weaveform

@@ -213,7 +213,6 @@ std::string map_sets(const Mesh& mesh, MirrorMap& map) {
 
 std::string find_mirror_map(const Mesh& mesh, const SymmetryPlane& plane, MirrorMap& map) {
   map = {};
-  if (mesh.frame.present()) return "a shear frame holds the fabric";
   const double tolerance = mirror_place_tolerance * std::min(mesh.spacing[0], mesh.spacing[1]);
   const Directions along = yarn_directions(mesh);
   const std::array<FamilyImage, 2> family = {image_of(mirrored_vector(along[0], plane), along),

@@ -71,7 +71,14 @@ TEST(Symmetry, WhatBreaksItIsNamed) {
       {"lattice shifted", [](Scene& s) { s.blank.phase = {0.2, 0.0}; }, "half", "the yarn lattice is not symmetric"},
       {"gravity sideways", [](Scene& s) { s.analysis.gravity = {1.0, 0.0, -9810.0}; }, "half", "gravity pulls across it"},
       {"random start", [](Scene& s) { s.analysis.perturbation = 0.1; }, "none", "analysis.perturbation is random"},
-      {"one-sided grip", [](Scene& s) { s.grip = {grip("left", 0.0)}; }, "half", "the nodes held by 'left' have no mirror image"},
+      {"one-sided grip", [](Scene& s) { s.grip = {grip("left", 0.0)}; }, "half", "grip 'left' has none like it opposite"},
+      {"boxes of unequal size",
+       [](Scene& s) {
+         s.grip = {grip("", 0.0), grip("", 0.0)};
+         s.grip[0].name = "one", s.grip[0].box = {{-70.0, -70.0, -50.0, 70.0}};
+         s.grip[1].name = "other", s.grip[1].box = {{40.0, -70.0, 70.0, 70.0}};
+       },
+       "half", "grip 'one' has none like it opposite"},
       {"grips of unequal travel", [](Scene& s) { s.grip = {grip("left", 1.0), grip("right", 2.0)}; }, "half",
        "grips 'left' and 'right' differ in travel"},
       {"grip that pulls sideways",
@@ -129,6 +136,14 @@ TEST(Symmetry, WhatDoesNotBreakItIsNot) {
          s.tools[2].position = {{5.0, 0.0, 20.25}};
        }},
       {"a resting tool that points sideways", [](Scene& s) { s.tools[1].direction = {{1.0, 0.0, 0.0}}; }},
+      {"boxes alike", [](Scene& s) {
+         s.tools.clear();
+         s.grip = {grip("", 1.0), grip("", 1.0)};
+         s.grip[0].name = "one", s.grip[0].box = {{-70.0, -70.0, -50.0, 70.0}};
+         s.grip[1].name = "other", s.grip[1].box = {{50.0, -70.0, 70.0, 70.0}};
+         s.grip[0].direction = {{-1.0, 0.0, 0.0}};
+         s.grip[1].direction = {{1.0, 0.0, 0.0}};
+       }},
       {"biaxial pull", [](Scene& s) {
          s.tools.clear();
          s.grip = {grip("left", 1.0), grip("right", 1.0), grip("bottom", 0.0), grip("top", 0.0)};
