@@ -1,9 +1,9 @@
 // What a mesh that is a half or a quarter of a symmetric whole knows of the rest: its mirror planes.
 //
-// An element cut by a plane keeps the nodes beyond it; they are images of nodes on this side. An element that is its own
-// image (it lies in a plane or across it) has half its section or area, and a node in a plane half its mass, so that the
-// energies, masses and forces of the whole are parts() times those of the mesh, and the stable step is the same.
-// A force that looks at neighbours finds them by `image` where the mesh holds them, else by mirrored_point.
+// An element cut by a plane keeps the nodes beyond it; they are images of nodes on this side. An element that is its
+// own image (it lies in a plane or across it) has half its section or area, and a node in a plane half its mass, so
+// that the energies, masses and forces of the whole are parts() times those of the mesh, and the stable step is the
+// same. A force that looks at neighbours finds them by `image` where the mesh holds them, else by mirrored_point.
 #pragma once
 
 #include <array>

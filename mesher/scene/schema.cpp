@@ -69,10 +69,11 @@ const std::vector<Key<ModelSpec>> model_keys = {
     key<&ModelSpec::symmetry>({.name = "symmetry",
                                .allowed = {"auto", "quarter", "half", "none"},
                                .false_word = "none",
-                               .doc = "`auto`: where blank, fabric, tools and loads are mirrored onto themselves by the "
-                                      "planes x = 0 and y = 0 of the blank, a half or a quarter is solved; all results "
-                                      "are those of the whole. `half`, `quarter`: an error where that cannot be. `none` "
-                                      "or false: the whole blank is solved"}),
+                               .doc =
+                                   "`auto`: where blank, fabric, tools and loads are mirrored onto themselves by the "
+                                   "planes x = 0 and y = 0 of the blank, a half or a quarter is solved; all results "
+                                   "are those of the whole. `half`, `quarter`: an error where that cannot be. `none` "
+                                   "or false: the whole blank is solved"}),
 };
 
 const std::vector<Key<GripSpec>> grip_keys = {

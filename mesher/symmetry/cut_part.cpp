@@ -22,7 +22,7 @@ std::vector<int> orbit(int which, const std::vector<const std::vector<int>*>& ma
 struct Cutter {
   const Mesh& whole;
   const Symmetry& symmetry;
-  double tolerance;                // mm
+  double tolerance;  // mm
   SymmetricPart part;
   std::vector<int> part_of_whole;  // -1: not in the part
 
@@ -52,8 +52,7 @@ struct Cutter {
   [[nodiscard]] Vector middle(const Nodes& nodes) const {
     Vector sum = {0.0, 0.0, 0.0};
     for (const int n : nodes)
-      for (std::size_t c = 0; c < 3; ++c)
-        sum[c] += whole.nodes.position[n][c] / static_cast<double>(nodes.size());
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += whole.nodes.position[n][c] / static_cast<double>(nodes.size());
     return sum;
   }
 
@@ -198,8 +197,8 @@ std::vector<Vector> unfold(const SymmetricPart& part, const Mesh& whole, const s
   for (std::size_t n = 0; n < result.size(); ++n) {
     const auto [node, planes] = part.image[n];
     const Vector &x = position[node], &start = part.mesh.nodes.position[node];
-    const Vector moved = mirrored_vector({x[0] - start[0], x[1] - start[1], x[2] - start[2]},
-                                         part.mesh.symmetry.plane, planes);
+    const Vector moved =
+        mirrored_vector({x[0] - start[0], x[1] - start[1], x[2] - start[2]}, part.mesh.symmetry.plane, planes);
     for (std::size_t c = 0; c < 3; ++c) result[n][c] += moved[c];
   }
   return result;

@@ -14,7 +14,7 @@ struct PartImage {
 };
 
 struct SymmetricPart {
-  Mesh mesh;  // the side the planes' normals point to; mesh.symmetry says how it goes on
+  Mesh mesh;                     // the side the planes' normals point to; mesh.symmetry says how it goes on
   std::vector<PartImage> image;  // per node of the whole
 };
 

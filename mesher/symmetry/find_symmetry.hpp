@@ -1,5 +1,5 @@
-// How little of a scene has to be solved: the planes x = 0 and y = 0 of the blank's own frame that mirror mesh and loads
-// onto themselves, as far as model.symmetry wants them used.
+// How little of a scene has to be solved: the planes x = 0 and y = 0 of the blank's own frame that mirror mesh and
+// loads onto themselves, as far as model.symmetry wants them used.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 namespace weaveform {
 
 struct Symmetry {
-  std::vector<SymmetryPlane> plane;  // to be used: none, one (a half) or two (a quarter)
-  std::vector<MirrorMap> map;        // of each
-  std::array<std::string, 2> why;    // per axis x, y: why its plane is not one of the scene; "" when it is
-  std::string asked;                 // model.symmetry
+  std::vector<SymmetryPlane> plane;        // to be used: none, one (a half) or two (a quarter)
+  std::vector<MirrorMap> map;              // of each
+  std::array<std::string, 2> why;          // per axis x, y: why its plane is not one of the scene; "" when it is
+  std::string asked;                       // model.symmetry
   [[nodiscard]] std::string word() const;  // "none", "half", "quarter"
 };
 

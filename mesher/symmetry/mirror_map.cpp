@@ -204,7 +204,8 @@ std::string map_sets(const Mesh& mesh, MirrorMap& map) {
     std::sort(image.begin(), image.end());
     for (std::size_t t = 0; t < mesh.sets.size(); ++t)
       if (mesh.sets[t].node == image) map.set[s] = static_cast<int>(t);
-    if (map.set[s] < 0) return fmt::format("the nodes held by '{}' have no mirror image that is held", mesh.sets[s].name);
+    if (map.set[s] < 0)
+      return fmt::format("the nodes held by '{}' have no mirror image that is held", mesh.sets[s].name);
   }
   return "";
 }
@@ -217,7 +218,8 @@ std::string find_mirror_map(const Mesh& mesh, const SymmetryPlane& plane, Mirror
   const Directions along = yarn_directions(mesh);
   const std::array<FamilyImage, 2> family = {image_of(mirrored_vector(along[0], plane), along),
                                              image_of(mirrored_vector(along[1], plane), along)};
-  if (family[0].family < 0 || family[1].family < 0) return "the yarns do not run along it, across it or at 45 deg to it";
+  if (family[0].family < 0 || family[1].family < 0)
+    return "the yarns do not run along it, across it or at 45 deg to it";
   map.swaps_families = family[0].family == 1;
   if (map.swaps_families && !alike(mesh.spacing[0], mesh.spacing[1]))
     return fmt::format("it swaps warp and weft, which lie {:.6g} and {:.6g} mm apart", mesh.spacing[1],

@@ -63,7 +63,8 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       grip_force_before_(grips_.size(), 0.0),
       grip_displacement_before_(grips_.size(), 0.0),
       started_(std::chrono::steady_clock::now()) {
-  if (scene.frame && !scene.frame->rigid) terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh_, packed_));
+  if (scene.frame && !scene.frame->rigid)
+    terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh_, packed_));
   if (scene.frame)
     recorder_.evaluate_frame({scene.frame->length, scene.blank.size[0]}, static_cast<int>(grips_.size()) - 1);
   find_grip_images();
@@ -218,8 +219,8 @@ void Analysis::open_outputs() {
   for (std::size_t g = 0; g < grips_.size(); ++g) displacement_[g] = grips_[g].travel * smooth_step(time / duration_);
   if (!row_due && !frame_due) return;
   const auto position = mesh_positions(packed_, state_);
-  fields_ = compute_fields(whole_, card_, scene_.model, time,
-                           part_ != nullptr ? unfold(*part_, whole_, position) : position);
+  fields_ =
+      compute_fields(whole_, card_, scene_.model, time, part_ != nullptr ? unfold(*part_, whole_, position) : position);
   if (frame_due) {
     if (frames_) frames_->write(fields_);
     frame_schedule_.advance(time);
@@ -297,8 +298,8 @@ void Analysis::check_state() {
   for (int n = 0; n < mesh_.node_count(); ++n) {
     const int p = packed_.packed_of_mesh[n];
     if (!std::isfinite(state_.position[0][p] + state_.position[1][p] + state_.position[2][p]))
-      fail(fmt::format("the position of node {} is not a number; lower analysis.step_factor (now {})", mesh_.shown_node(n),
-                       scene_.analysis.step_factor));
+      fail(fmt::format("the position of node {} is not a number; lower analysis.step_factor (now {})",
+                       mesh_.shown_node(n), scene_.analysis.step_factor));
   }
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     double square = 0.0;
@@ -315,8 +316,7 @@ void Analysis::check_state() {
           "the {} yarn element between nodes {} and {} is stretched to a true strain of {:.3g}: the analysis is "
           "unstable (lower analysis.step_factor, now {}) or the scene tears the fabric",
           mesh_.yarns.family[e] == Family::warp ? "warp" : "weft", mesh_.shown_node(mesh_.yarns.node[e][0]),
-          mesh_.shown_node(mesh_.yarns.node[e][1]),
-          strain, scene_.analysis.step_factor));
+          mesh_.shown_node(mesh_.yarns.node[e][1]), strain, scene_.analysis.step_factor));
   }
 }
 

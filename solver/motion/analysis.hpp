@@ -72,7 +72,7 @@ private:
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;
-  std::unique_ptr<Ties> ties_;  // null when no node follows others, or a rigid frame moves them all
+  std::unique_ptr<Ties> ties_;             // null when no node follows others, or a rigid frame moves them all
   std::unique_ptr<MirrorPlanes> mirrors_;  // null when the whole is solved
   State state_;
   std::vector<Grip> grips_;

@@ -41,9 +41,9 @@ void MirrorPlanes::follow(State& state) const {
   auto &x = state.position, &v = state.velocity;
   for (const auto& image : image_) {
     const int of = image.of;
-    const auto moved = mirrored_vector(
-        {x[0][of] - image.start_of[0], x[1][of] - image.start_of[1], x[2][of] - image.start_of[2]}, plane_,
-        image.planes);
+    const auto moved =
+        mirrored_vector({x[0][of] - image.start_of[0], x[1][of] - image.start_of[1], x[2][of] - image.start_of[2]},
+                        plane_, image.planes);
     const auto velocity = mirrored_vector({v[0][of], v[1][of], v[2][of]}, plane_, image.planes);
     for (int c = 0; c < 3; ++c) {
       x[c][image.node] = image.start[c] + moved[c];

@@ -1,5 +1,5 @@
-// The mirror planes of a half or quarter (mesher/mesh/symmetry.hpp) in motion: nodes in a plane stay in it, nodes beyond
-// one go as their images do, and what pulls at them pulls at those.
+// The mirror planes of a half or quarter (mesher/mesh/symmetry.hpp) in motion: nodes in a plane stay in it, nodes
+// beyond one go as their images do, and what pulls at them pulls at those.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,8 @@ class MirrorPlanes {
 public:
   // After the ties: mass that they gave to images goes to the nodes themselves.
   MirrorPlanes(const Mesh& mesh, PackedMesh& packed);
-  // The force on an image, mirrored back, acts on the node itself. Before and after forces go from tied nodes to others.
+  // The force on an image, mirrored back, acts on the node itself. Before and after forces go from tied nodes to
+  // others.
   void give_forces(State& state) const;
   // Takes out what presses nodes against their plane: the other side presses back. After all forces are given.
   void hold(State& state) const;

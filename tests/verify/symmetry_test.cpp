@@ -49,14 +49,20 @@ void expect_same_history(const History& part, const History& whole, double toler
 TEST(Symmetry, AQuarterIsTheWholeToRounding) {
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> cases = {
       {"lines in the planes", [](Scene&) {}},
-      {"planes midway between lines", [](Scene& s) { s.blank.phase = {0.5, 0.5}; }},
+      {"planes midway between lines",
+       [](Scene& s) {
+         s.blank.phase = {0.5, 0.5};
+       }},
       {"yarns at 45 deg", [](Scene& s) { s.blank.yarn_angle = 45.0; }},
       {"yarns at 45 deg, free ends across the planes",
        [](Scene& s) {
          s.blank.yarn_angle = 45.0;
          s.blank.phase = {0.5, 0.5};
        }},
-      {"turned and elsewhere", [](Scene& s) { s.blank.orientation = 30.0, s.blank.position = {11.0, -7.0, 3.0}; }},
+      {"turned and elsewhere",
+       [](Scene& s) {
+         s.blank.orientation = 30.0, s.blank.position = {11.0, -7.0, 3.0};
+       }},
       {"incremental", [](Scene& s) { s.model.formulation = "incremental"; }},
       {"contravariant, under its weight",
        [](Scene& s) {
@@ -104,7 +110,8 @@ TEST(Symmetry, AQuarterDrawsLikeTheWhole) {
   EXPECT_NEAR(part.statistics.max_shear_angle_deg, whole.statistics.max_shear_angle_deg, 1e-3);
   EXPECT_NEAR(part.history.values("internal_energy_mJ").back(), whole.history.values("internal_energy_mJ").back(),
               1e-5 * whole.history.values("internal_energy_mJ").back());
-  EXPECT_NEAR(part.history.values("punch.contact_area_mm2").back(), whole.history.values("punch.contact_area_mm2").back(),
+  EXPECT_NEAR(part.history.values("punch.contact_area_mm2").back(),
+              whole.history.values("punch.contact_area_mm2").back(),
               1e-9 * whole.history.values("punch.contact_area_mm2").back());
   EXPECT_LT(part.statistics.energy_error, 0.02);
   // the binder is pushed by the whole force

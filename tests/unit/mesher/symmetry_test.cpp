@@ -59,19 +59,40 @@ struct Change {
 
 TEST(Symmetry, WhatBreaksItIsNamed) {
   const std::vector<Change> changes = {
-      {"tool beside x = 0", [](Scene& s) { s.tools[2].position = {{0.1, 0.0, 20.25}}; }, "half",
-       "tool 'punch' stands to one side"},
-      {"tool off both", [](Scene& s) { s.tools[1].position = {{0.1, -0.2, -0.25}}; }, "none",
-       "tool 'die' stands to one side"},
-      {"tool that leans", [](Scene& s) { s.tools[0].axis = {0.0, 0.01, -1.0}, s.tools[0].position = {{0.0, 0.0, 9.0}}; },
+      {"tool beside x = 0",
+       [](Scene& s) {
+         s.tools[2].position = {{0.1, 0.0, 20.25}};
+       },
+       "half", "tool 'punch' stands to one side"},
+      {"tool off both",
+       [](Scene& s) {
+         s.tools[1].position = {{0.1, -0.2, -0.25}};
+       },
+       "none", "tool 'die' stands to one side"},
+      {"tool that leans",
+       [](Scene& s) {
+         s.tools[0].axis = {0.0, 0.01, -1.0}, s.tools[0].position = {{0.0, 0.0, 9.0}};
+       },
        "half", "tool 'binder' stands to one side of it or leans"},
-      {"tool that moves sideways", [](Scene& s) { s.tools[2].direction = {{0.1, 0.0, -1.0}}; }, "half",
-       "tool 'punch' moves across it"},
+      {"tool that moves sideways",
+       [](Scene& s) {
+         s.tools[2].direction = {{0.1, 0.0, -1.0}};
+       },
+       "half", "tool 'punch' moves across it"},
       {"yarns at 30 deg", [](Scene& s) { s.blank.yarn_angle = 30.0; }, "none", "the yarns do not run along it"},
-      {"lattice shifted", [](Scene& s) { s.blank.phase = {0.2, 0.0}; }, "half", "the yarn lattice is not symmetric"},
-      {"gravity sideways", [](Scene& s) { s.analysis.gravity = {1.0, 0.0, -9810.0}; }, "half", "gravity pulls across it"},
+      {"lattice shifted",
+       [](Scene& s) {
+         s.blank.phase = {0.2, 0.0};
+       },
+       "half", "the yarn lattice is not symmetric"},
+      {"gravity sideways",
+       [](Scene& s) {
+         s.analysis.gravity = {1.0, 0.0, -9810.0};
+       },
+       "half", "gravity pulls across it"},
       {"random start", [](Scene& s) { s.analysis.perturbation = 0.1; }, "none", "analysis.perturbation is random"},
-      {"one-sided grip", [](Scene& s) { s.grip = {grip("left", 0.0)}; }, "half", "grip 'left' has none like it opposite"},
+      {"one-sided grip", [](Scene& s) { s.grip = {grip("left", 0.0)}; }, "half",
+       "grip 'left' has none like it opposite"},
       {"boxes of unequal size",
        [](Scene& s) {
          s.grip = {grip("", 0.0), grip("", 0.0)};
@@ -79,8 +100,11 @@ TEST(Symmetry, WhatBreaksItIsNamed) {
          s.grip[1].name = "other", s.grip[1].box = {{40.0, -70.0, 70.0, 70.0}};
        },
        "half", "grip 'one' has none like it opposite"},
-      {"grips of unequal travel", [](Scene& s) { s.grip = {grip("left", 1.0), grip("right", 2.0)}; }, "half",
-       "grips 'left' and 'right' differ in travel"},
+      {"grips of unequal travel",
+       [](Scene& s) {
+         s.grip = {grip("left", 1.0), grip("right", 2.0)};
+       },
+       "half", "grips 'left' and 'right' differ in travel"},
       {"grip that pulls sideways",
        [](Scene& s) {
          s.grip = {grip("top", 1.0), grip("bottom", 1.0)};
@@ -101,9 +125,11 @@ TEST(Symmetry, WhatBreaksItIsNamed) {
        },
        "none", "tonne, its mirror image"},
       {"yarns at 45 deg of different spacing",
-       [](Scene& s) { s.blank.yarn_angle = 45.0, s.blank.coarsening = {3.0, 2.0}; }, "none", "it swaps warp and weft"},
-      {"side frames at 45 deg",
-       [](Scene& s) { s.blank.yarn_angle = 45.0, s.model.formulation = "side-frame"; }, "none",
+       [](Scene& s) {
+         s.blank.yarn_angle = 45.0, s.blank.coarsening = {3.0, 2.0};
+       },
+       "none", "it swaps warp and weft"},
+      {"side frames at 45 deg", [](Scene& s) { s.blank.yarn_angle = 45.0, s.model.formulation = "side-frame"; }, "none",
        "the side frame follows the warp"},
       {"triangles",
        [](Scene& s) {
@@ -126,17 +152,34 @@ TEST(Symmetry, WhatDoesNotBreakItIsNot) {
   const std::vector<std::pair<const char*, std::function<void(Scene&)>>> changes = {
       {"yarns at 90 deg", [](Scene& s) { s.blank.yarn_angle = 90.0; }},
       {"balanced yarns at 45 deg", [](Scene& s) { s.blank.yarn_angle = 45.0; }},
-      {"planes midway between lines", [](Scene& s) { s.blank.phase = {0.5, 0.5}; }},
-      {"unequal coarsening", [](Scene& s) { s.blank.coarsening = {3.0, 2.0}; }},
-      {"a blank turned and elsewhere", [](Scene& s) { s.blank.orientation = 30.0, s.blank.position = {7.0, -3.0, 1.0}; }},
-      {"gravity downwards", [](Scene& s) { s.analysis.gravity = {0.0, 0.0, -9810.0}; }},
-      {"a bar across", [](Scene& s) {
+      {"planes midway between lines",
+       [](Scene& s) {
+         s.blank.phase = {0.5, 0.5};
+       }},
+      {"unequal coarsening",
+       [](Scene& s) {
+         s.blank.coarsening = {3.0, 2.0};
+       }},
+      {"a blank turned and elsewhere",
+       [](Scene& s) {
+         s.blank.orientation = 30.0, s.blank.position = {7.0, -3.0, 1.0};
+       }},
+      {"gravity downwards",
+       [](Scene& s) {
+         s.analysis.gravity = {0.0, 0.0, -9810.0};
+       }},
+      {"a bar across",
+       [](Scene& s) {
          s.tools[2].shape = "cylinder";
          s.tools[2].axis = {1.0, 0.0, 0.0};
          s.tools[2].position = {{5.0, 0.0, 20.25}};
        }},
-      {"a resting tool that points sideways", [](Scene& s) { s.tools[1].direction = {{1.0, 0.0, 0.0}}; }},
-      {"boxes alike", [](Scene& s) {
+      {"a resting tool that points sideways",
+       [](Scene& s) {
+         s.tools[1].direction = {{1.0, 0.0, 0.0}};
+       }},
+      {"boxes alike",
+       [](Scene& s) {
          s.tools.clear();
          s.grip = {grip("", 1.0), grip("", 1.0)};
          s.grip[0].name = "one", s.grip[0].box = {{-70.0, -70.0, -50.0, 70.0}};
@@ -144,7 +187,8 @@ TEST(Symmetry, WhatDoesNotBreakItIsNot) {
          s.grip[0].direction = {{-1.0, 0.0, 0.0}};
          s.grip[1].direction = {{1.0, 0.0, 0.0}};
        }},
-      {"biaxial pull", [](Scene& s) {
+      {"biaxial pull",
+       [](Scene& s) {
          s.tools.clear();
          s.grip = {grip("left", 1.0), grip("right", 1.0), grip("bottom", 0.0), grip("top", 0.0)};
        }},
@@ -167,9 +211,10 @@ TEST(Symmetry, AskedForInVainIsAnErrorThatNamesTheFirstThingInTheWay) {
     (void)symmetry_of(scene);
     FAIL() << "no quarter, and no complaint";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "model.symmetry: the scene is no quarter: plane x = 0 of the blank: tool 'punch' stands to one side of "
-                 "it or leans across it; use \"auto\"");
+    EXPECT_STREQ(
+        error.what(),
+        "model.symmetry: the scene is no quarter: plane x = 0 of the blank: tool 'punch' stands to one side of "
+        "it or leans across it; use \"auto\"");
   }
   scene.analysis.perturbation = 0.1;
   scene.model.symmetry = "half";
@@ -231,7 +276,8 @@ TEST(SymmetricPart, UnfoldedDisplacementsAreMirrored) {
   const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole));
   // even in the one coordinate, odd in the other, as a field mirrored at x = 0 and y = 0 is
   const auto moved = [](const std::array<double, 3>& x) {
-    return std::array<double, 3>{x[0] * (1.1 + 1e-4 * x[1] * x[1]), x[1] * (0.9 + 1e-4 * x[0] * x[0]), x[0] * x[0] + x[2]};
+    return std::array<double, 3>{x[0] * (1.1 + 1e-4 * x[1] * x[1]), x[1] * (0.9 + 1e-4 * x[0] * x[0]),
+                                 x[0] * x[0] + x[2]};
   };
   std::vector<std::array<double, 3>> position;
   for (const auto& x : part.mesh.nodes.position) position.push_back(moved(x));

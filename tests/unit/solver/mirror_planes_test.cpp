@@ -1,11 +1,12 @@
 // A half or quarter in any symmetric shape feels the forces of the whole and has its stable step.
+#include "solver/motion/mirror_planes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "mesher/symmetry/cut_part.hpp"
 #include "solver/motion/critical_step.hpp"
-#include "solver/motion/mirror_planes.hpp"
 #include "solver/motion/ties.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/fabric_patch.hpp"
@@ -60,11 +61,11 @@ struct Moved {
 };
 
 TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
-  const std::vector<Case> cases = {{0.0, {0.0, 0.0}, "energy", "quarter"},      {0.0, {0.5, 0.5}, "energy", "quarter"},
-                                   {90.0, {0.5, 0.0}, "energy", "quarter"},     {45.0, {0.0, 0.0}, "energy", "quarter"},
-                                   {45.0, {0.5, 0.5}, "energy", "quarter"},
-                                   {45.0, {0.0, 0.0}, "incremental", "half"},   {0.0, {0.0, 0.0}, "side-frame", "quarter"},
-                                   {0.0, {0.5, 0.0}, "contravariant", "half"}};
+  const std::vector<Case> cases = {
+      {0.0, {0.0, 0.0}, "energy", "quarter"},     {0.0, {0.5, 0.5}, "energy", "quarter"},
+      {90.0, {0.5, 0.0}, "energy", "quarter"},    {45.0, {0.0, 0.0}, "energy", "quarter"},
+      {45.0, {0.5, 0.5}, "energy", "quarter"},    {45.0, {0.0, 0.0}, "incremental", "half"},
+      {0.0, {0.0, 0.0}, "side-frame", "quarter"}, {0.0, {0.5, 0.0}, "contravariant", "half"}};
   for (const auto& c : cases) {
     Scene scene = test::FabricPatch::make_scene("twintex-pw", c.yarn_angle, {60.0, 80.0}, c.formulation,
                                                 "constant-volume", "incompressible");
