@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesher/symmetry/cut_part.hpp"
+#include "solver/bending/flexure.hpp"
 #include "solver/motion/analysis.hpp"
 
 namespace weaveform {
@@ -42,7 +43,7 @@ SolveResult solve(const Mesh& mesh, const Scene& scene, const Card& card, const 
                   const SolveOptions& options) {
   std::optional<SymmetricPart> part;
   if (const Symmetry symmetry = find_symmetry(scene, card, mesh); !symmetry.plane.empty())
-    part = cut_part(mesh, symmetry);
+    part = cut_part(mesh, symmetry, choose_flexure(card, scene.model).bends_yarns);
   SolveResult result = Analysis(mesh, part ? &*part : nullptr, scene, card, directory, options).run();
   if (scene.analysis.perturbation > 0.0) {
     compare_with_clean_run(mesh, scene, card, options, result);

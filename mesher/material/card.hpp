@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct YarnCard {
   TangentLaw tension;           // MPa against true strain, e >= 0 (Table 2)
   double linear_modulus = 0.0;  // MPa; tangent of the last piece: at its end, or where it begins when it has no end
   double compression_modulus = 0.0;  // MPa; for e < 0; default 1 % of the linear modulus (ours: the paper gives none)
+  // Moment of one yarn (N mm) against its curvature (1/mm) as a tangent law in N mm^2, odd in the curvature's sign; in
+  // the fabric's plane and out of it. No pieces: the card does not say. A fibre bundle bends far more easily than E I.
+  TangentLaw bending_in_plane, bending_out_of_plane;
   bool operator==(const YarnCard&) const = default;
 };
 
@@ -37,12 +41,21 @@ struct ShearCard {
   bool operator==(const ShearCard&) const = default;
 };
 
+// Bending of the fabric as a sheet, per width; what its yarns bear is part of it.
+struct BendingCard {
+  std::optional<std::array<double, 2>> rigidity;  // N mm; moment per width over curvature along warp and weft (Peirce)
+  std::optional<double> twist;                    // N mm; D_66: energy per area 2 D_66 w,12^2
+  std::optional<double> transverse_shear;         // N/mm; force per width over transverse shear angle
+  bool operator==(const BendingCard&) const = default;
+};
+
 struct Card {
   std::string name;
   std::string source;            // where its numbers come from
   double thickness = 0.0;        // mm; after consolidation (Table 1)
   std::array<YarnCard, 2> yarn;  // [0] warp, [1] weft
   ShearCard shear;
+  BendingCard bending;
 
   // tonne/mm^2: sum over both families of linear density / interval
   [[nodiscard]] double area_density() const;

@@ -87,6 +87,19 @@ double last_tangent(const TangentLaw& law) {
   return law.tangent(std::isfinite(last.to) ? last.to : last.from);
 }
 
+// Flexural stiffness must not be negative up to a fold: a curvature of a tenth of the yarn's interval as radius.
+TangentLaw flexure_of(const std::vector<TangentPiece>& pieces, const char* key, const YarnFile& file,
+                      const YarnTables& tables, const std::string& yarn_name, Complaints& complaints) {
+  if (pieces.empty()) return {};
+  TangentLaw law(pieces);
+  const std::string negative = law.negative_range(0.0, 10.0 / std::max(file.interval, 1e-9));
+  if (!negative.empty())
+    complaints.add(tables.place(key), fmt::format("{} of the {} turns negative, {}; change the coefficients or the "
+                                                  "pieces",
+                                                  key, yarn_name, negative));
+  return law;
+}
+
 YarnCard yarn_of(const YarnFile& file, const YarnTables& tables, const std::string& yarn_name, Complaints& complaints) {
   YarnCard yarn;
   yarn.linear_density = file.linear_density / tex_per_tonne_per_mm;
@@ -98,6 +111,10 @@ YarnCard yarn_of(const YarnFile& file, const YarnTables& tables, const std::stri
   check_tension(yarn.tension, tables.place("tension"), yarn_name, complaints);
   yarn.linear_modulus = file.linear_modulus.value_or(last_tangent(yarn.tension));
   yarn.compression_modulus = file.compression_modulus.value_or(compression_share * yarn.linear_modulus);
+  yarn.bending_out_of_plane =
+      flexure_of(file.bending_out_of_plane, "bending_out_of_plane", file, tables, yarn_name, complaints);
+  yarn.bending_in_plane = flexure_of(file.bending_in_plane, "bending_in_plane", file, tables, yarn_name, complaints);
+  if (file.bending_in_plane.empty()) yarn.bending_in_plane = yarn.bending_out_of_plane;
   if (!(yarn.linear_modulus > 0.0)) {
     complaints.add(tables.place("tension"),
                    fmt::format("the {}'s last piece has tangent {} MPa; it must be > 0, or give "
@@ -168,6 +185,11 @@ void read_shear(const toml::table& root, Card& card, Complaints& complaints) {
   check_shear(card.shear, file.tangent, *table->get("tangent"), complaints);
 }
 
+void read_bending(const toml::table& root, Card& card, Complaints& complaints) {
+  const toml::table* table = table_of(root, "bending", "bending", complaints);
+  if (table != nullptr) read_keys(*table, "[bending]", bending_keys(), card.bending, complaints);
+}
+
 // The number x in the file's unit whose reading, x / factor, gives back `value` to the bit; the shortest such.
 double in_file_unit(double value, double factor) {
   for (const int digits : {15, 16, 17}) {
@@ -191,6 +213,8 @@ YarnFile file_of(const YarnCard& yarn) {
   file.tension = yarn.tension.pieces();
   file.linear_modulus = yarn.linear_modulus;
   file.compression_modulus = yarn.compression_modulus;
+  file.bending_out_of_plane = yarn.bending_out_of_plane.pieces();
+  file.bending_in_plane = yarn.bending_in_plane.pieces();
   return file;
 }
 
@@ -200,11 +224,13 @@ Card read_card_text(const std::string& text, const std::string& name) {
   Complaints complaints(name);
   const toml::table root = parse_toml(text, name);
   HeadFile head;
-  read_keys(root, "a card", head_keys(), head, complaints, {"yarn", "shear"});
+  read_keys(root, "a card", head_keys(), head, complaints, {"yarn", "shear", "bending"});
   require_keys(root, "the card", head_keys(), complaints);
-  Card card{.name = head.name, .source = head.source, .thickness = head.thickness, .yarn = {}, .shear = {}};
+  Card card{
+      .name = head.name, .source = head.source, .thickness = head.thickness, .yarn = {}, .shear = {}, .bending = {}};
   read_yarns(root, card, complaints);
   read_shear(root, card, complaints);
+  read_bending(root, card, complaints);
   complaints.throw_if_any();
   return card;
 }
@@ -215,7 +241,9 @@ std::string card_to_toml(const Card& card) {
     text += "\n[yarn." + families[f] + "]\n" + write_keys(yarn_keys(), file_of(card.yarn[f]), Echo::given);
   }
   const ShearFile shear{card.shear.tangent.pieces(), card.shear.start, card.shear.valid_to_deg};
-  return text + "\n[shear]\n" + write_keys(shear_keys(), shear);
+  text += "\n[shear]\n" + write_keys(shear_keys(), shear);
+  if (card.bending == BendingCard{}) return text;
+  return text + "\n[bending]\n" + write_keys(bending_keys(), card.bending, Echo::given);
 }
 
 std::string card_reference_markdown() {
@@ -230,7 +258,9 @@ std::string card_reference_markdown() {
          section("`[yarn]`, `[yarn.warp]`, `[yarn.weft]`",
                  "Keys in `[yarn]` serve both families; those in `[yarn.warp]` and `[yarn.weft]` win.",
                  describe_keys("yarn", yarn_keys())) +
-         section("`[shear]`", "In-plane shear.", describe_keys("shear", shear_keys()));
+         section("`[shear]`", "In-plane shear.", describe_keys("shear", shear_keys())) +
+         section("`[bending]`", "Bending of the fabric as a sheet. May be left out.",
+                 describe_keys("bending", bending_keys()));
 }
 
 }  // namespace weaveform

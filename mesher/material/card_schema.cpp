@@ -159,6 +159,15 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
                                            .doc =
                                                "for negative strain; auto: 1 % of the linear modulus (our choice, the "
                                                "paper gives none)"}),
+      key<&YarnFile::bending_out_of_plane>(
+          {.name = "bending_out_of_plane",
+           .unit = "N mm^2",
+           .doc = "flexural stiffness of one yarn out of the fabric's plane, dM/dkappa against its curvature kappa "
+                  "(1/mm), pieces as for `tension` with `from` and `to` in 1/mm; a constant is one piece; left out: "
+                  "unknown, and a model that bends must say it"}),
+      key<&YarnFile::bending_in_plane>({.name = "bending_in_plane",
+                                        .unit = "N mm^2",
+                                        .doc = "the same in the fabric's plane; left out: that out of the plane"}),
   };
   return keys;
 }
@@ -182,10 +191,32 @@ const std::vector<Key<ShearFile>>& shear_keys() {
   return keys;
 }
 
+const std::vector<Key<BendingCard>>& bending_keys() {
+  static const std::vector<Key<BendingCard>> keys = {
+      key<&BendingCard::rigidity>({.name = "rigidity",
+                                   .unit = "N mm",
+                                   .limits = at_least(0),
+                                   .one_for_all = true,
+                                   .doc = "moment per width over curvature of the fabric along warp and weft, as "
+                                          "Peirce's cantilever gives it; left out: that of the yarns"}),
+      key<&BendingCard::twist>({.name = "twist",
+                                .unit = "N mm",
+                                .limits = at_least(0),
+                                .doc = "twisting stiffness D_66: a corner force P twists a plate by P / (4 D_66)"}),
+      key<&BendingCard::transverse_shear>(
+          {.name = "transverse_shear",
+           .unit = "N/mm",
+           .limits = above(0),
+           .doc = "force per width over transverse shear angle, for the cells of kind shell"}),
+  };
+  return keys;
+}
+
 std::vector<KeyInfo> card_keys() {
   std::vector<KeyInfo> keys = describe_keys("", head_keys());
   for (const auto& info : describe_keys("yarn", yarn_keys())) keys.push_back(info);
   for (const auto& info : describe_keys("shear", shear_keys())) keys.push_back(info);
+  for (const auto& info : describe_keys("bending", bending_keys())) keys.push_back(info);
   return keys;
 }
 

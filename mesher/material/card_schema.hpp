@@ -17,16 +17,17 @@ struct HeadFile {
 };
 
 struct YarnFile {
-  double linear_density = 0.0;                  // tex
-  std::optional<double> section;                // mm^2
-  std::optional<double> fibre_volume_fraction;  // 1
-  std::optional<double> fibre_density;          // g/cm^3
-  std::optional<double> matrix_density;         // g/cm^3
-  double interval = 0.0;                        // mm
-  double crimp = 0.0;                           // %
-  std::vector<TangentPiece> tension;            // MPa
-  std::optional<double> linear_modulus;         // MPa
-  std::optional<double> compression_modulus;    // MPa
+  double linear_density = 0.0;                                       // tex
+  std::optional<double> section;                                     // mm^2
+  std::optional<double> fibre_volume_fraction;                       // 1
+  std::optional<double> fibre_density;                               // g/cm^3
+  std::optional<double> matrix_density;                              // g/cm^3
+  double interval = 0.0;                                             // mm
+  double crimp = 0.0;                                                // %
+  std::vector<TangentPiece> tension;                                 // MPa
+  std::optional<double> linear_modulus;                              // MPa
+  std::optional<double> compression_modulus;                         // MPa
+  std::vector<TangentPiece> bending_in_plane, bending_out_of_plane;  // N mm^2
 };
 
 struct ShearFile {
@@ -35,9 +36,12 @@ struct ShearFile {
   double valid_to = ShearCard{}.valid_to_deg;  // deg
 };
 
+// BendingCard itself is the file's [bending].
+
 [[nodiscard]] const std::vector<Key<HeadFile>>& head_keys();
 [[nodiscard]] const std::vector<Key<YarnFile>>& yarn_keys();
 [[nodiscard]] const std::vector<Key<ShearFile>>& shear_keys();
+[[nodiscard]] const std::vector<Key<BendingCard>>& bending_keys();
 
 // Values of a card's own types, for the key table (see key_value.hpp).
 void read_value(const toml::node& node, const KeyRule& rule, std::vector<TangentPiece>& value, Complaints& complaints);

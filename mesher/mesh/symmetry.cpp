@@ -13,6 +13,14 @@ Vector minus_twice(const Vector& v, double along, const Vector& normal) {
 
 }  // namespace
 
+std::vector<double> node_share(const MeshSymmetry& symmetry, int node_count) {
+  std::vector<double> share(static_cast<std::size_t>(node_count), 1.0);
+  for (const auto& nodes : symmetry.on_plane)
+    for (const int n : nodes) share[static_cast<std::size_t>(n)] *= 0.5;
+  for (const auto& image : symmetry.image) share[static_cast<std::size_t>(image.node)] = 0.0;
+  return share;
+}
+
 Vector mirrored_vector(const Vector& v, const SymmetryPlane& plane) {
   const Vector& n = plane.normal;
   return minus_twice(v, v[0] * n[0] + v[1] * n[1] + v[2] * n[2], n);

@@ -3,7 +3,10 @@
 // An element cut by a plane keeps the nodes beyond it; they are images of nodes on this side. An element that is its
 // own image (it lies in a plane or across it) has half its section or area, and a node in a plane half its mass, so
 // that the energies, masses and forces of the whole are parts() times those of the mesh, and the stable step is the
-// same. A force that looks at neighbours finds them by `image` where the mesh holds them, else by mirrored_point.
+// same. MeshYarns::yarns stays the number of yarns in the whole.
+//
+// A force that looks at neighbours (bending) finds them as in a whole mesh when the part was cut with `run_on`
+// (cut_part.hpp). What it computes about a node counts by node_share.
 #pragma once
 
 #include <array>
@@ -33,6 +36,9 @@ struct MeshSymmetry {
   // The whole is this many times the mesh.
   [[nodiscard]] int parts() const { return 1 << plane.size(); }
 };
+
+// Per node: 1, 1/2 in a plane, 1/4 in two, 0 for an image.
+[[nodiscard]] std::vector<double> node_share(const MeshSymmetry& symmetry, int node_count);
 
 // v - 2 (v.n) n, and the same for a place.
 [[nodiscard]] std::array<double, 3> mirrored_vector(const std::array<double, 3>& v, const SymmetryPlane& plane);

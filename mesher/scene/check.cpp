@@ -90,6 +90,21 @@ void check_material(const Scene& scene, const toml::table& root, Complaints& com
                              did_you_mean(name, builtin_card_names())));
 }
 
+// Stiffnesses that no chosen element would read.
+void check_model(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  const toml::table* table = table_at(root, "model", 0);
+  if (table == nullptr) return;
+  const auto needs = [&](bool given, const char* key, bool served, const char* what) {
+    if (given && !served)
+      complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs {}", key, what));
+  };
+  const ModelSpec& model = scene.model;
+  needs(model.yarn_bending.has_value(), "yarn_bending", model.yarn == "beam", "yarn = \"beam\"");
+  needs(model.cell_bending.has_value(), "cell_bending", model.cell != "membrane",
+        "cell = \"rotation-free\" or \"shell\"");
+  needs(model.transverse_shear.has_value(), "transverse_shear", model.cell == "shell", "cell = \"shell\"");
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const toml::table& root, Complaints& complaints) {
@@ -97,6 +112,7 @@ void check_scene(const Scene& scene, const toml::table& root, Complaints& compla
   check_names(scene.grip, root, "grip", complaints);
   check_names(scene.measure, root, "measure", complaints);
   check_grips(scene, root, complaints);
+  check_model(scene, root, complaints);
   check_measures(scene, root, complaints);
   check_tools(scene, root, complaints);
   const toml::table* analysis = table_at(root, "analysis", 0);

@@ -43,9 +43,16 @@ const std::vector<Key<BlankSpec>> blank_keys = {
 };
 
 const std::vector<Key<ModelSpec>> model_keys = {
-    key<&ModelSpec::yarn>({.name = "yarn", .allowed = {"truss"}, .doc = "element of the yarns (the paper's T3D2)"}),
+    key<&ModelSpec::yarn>({.name = "yarn",
+                           .allowed = {"truss", "beam"},
+                           .doc = "element of the yarns: `truss` (the paper's T3D2); `beam` (B31): adds flexural "
+                                  "stiffness along each continuous yarn, crossings stay pinned"}),
     key<&ModelSpec::cell>(
-        {.name = "cell", .allowed = {"membrane"}, .doc = "element of the shear cells (the paper's M3D4R)"}),
+        {.name = "cell",
+         .allowed = {"membrane", "rotation-free", "shell"},
+         .doc = "element of the shear cells: `membrane` (the paper's M3D4R); `rotation-free`: adds bending along warp "
+                "and weft and twist from the lattice's curvatures; `shell` (S4R): the same with rotational unknowns "
+                "and transverse shear"}),
     key<&ModelSpec::formulation>({.name = "formulation",
                                   .allowed = {"energy", "contravariant", "incremental", "side-frame"},
                                   .doc = "shear force of a cell: gradient of a stored energy, or the paper's stress "
@@ -74,6 +81,23 @@ const std::vector<Key<ModelSpec>> model_keys = {
                                    "planes x = 0 and y = 0 of the blank, a half or a quarter is solved; all results "
                                    "are those of the whole. `half`, `quarter`: an error where that cannot be. `none` "
                                    "or false: the whole blank is solved"}),
+    key<&ModelSpec::yarn_bending>({.name = "yarn_bending",
+                                   .unit = "N mm^2",
+                                   .limits = at_least(0),
+                                   .one_for_all = true,
+                                   .doc =
+                                       "constant flexural stiffness of one yarn, in plane and out of plane, in place "
+                                       "of the card's; needs yarn = \"beam\""}),
+    key<&ModelSpec::cell_bending>({.name = "cell_bending",
+                                   .unit = "N mm",
+                                   .limits = at_least(0),
+                                   .doc = "constant bending stiffness per width of the cells along warp and weft, and "
+                                          "twist, in place of the card's; needs a cell that bends. When left out: the "
+                                          "fabric's rigidity less what beams bear of it"}),
+    key<&ModelSpec::transverse_shear>({.name = "transverse_shear",
+                                       .unit = "N/mm",
+                                       .limits = above(0),
+                                       .doc = "of shell cells, force per width over shear angle; auto: the card's"}),
 };
 
 const std::vector<Key<GripSpec>> grip_keys = {

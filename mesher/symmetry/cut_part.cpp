@@ -108,18 +108,20 @@ struct Cutter {
         if (std::abs(height(part.mesh.nodes.position[n], k)) <= tolerance) on_plane[k].push_back(n);
   }
 
-  void take_yarns() {
+  void take_yarns(bool run_on) {
     const auto by = maps(&MirrorMap::yarn);
     const auto here = [&](int e) { return beyond(middle(whole.yarns.node[e])) == 0; };
     auto& yarns = part.mesh.yarns;
     for (int e = 0; e < whole.yarn_count(); ++e) {
-      if (!here(e)) continue;
-      const double share = weight(e, by, here);
-      yarns.node.push_back({node_of_element(whole.yarns.node[e][0]), node_of_element(whole.yarns.node[e][1])});
+      const auto [a, b] = whole.yarns.node[e];
+      const bool meets_plane = beyond(whole.nodes.position[a]) == 0 || beyond(whole.nodes.position[b]) == 0;
+      if (!here(e) && !(run_on && meets_plane)) continue;
+      const double share = here(e) ? weight(e, by, here) : 0.0;
+      yarns.node.push_back({node_of_element(a), node_of_element(b)});
       yarns.family.push_back(whole.yarns.family[e]);
       yarns.rest_length.push_back(whole.yarns.rest_length[e]);
       yarns.section.push_back(share * whole.yarns.section[e]);
-      yarns.yarns.push_back(share * whole.yarns.yarns[e]);
+      yarns.yarns.push_back(whole.yarns.yarns[e]);
       yarns.jaw.push_back(whole.yarns.jaw[e]);
       yarns.softening.push_back(whole.yarns.softening[e]);
     }
@@ -178,14 +180,14 @@ struct Cutter {
 
 }  // namespace
 
-SymmetricPart cut_part(const Mesh& whole, const Symmetry& symmetry) {
+SymmetricPart cut_part(const Mesh& whole, const Symmetry& symmetry, bool run_on) {
   Cutter cutter(whole, symmetry);
   cutter.part.mesh.symmetry.plane = symmetry.plane;
   for (const auto& map : symmetry.map) cutter.part.mesh.symmetry.set_image.push_back(map.set);
   cutter.part.mesh.spacing = whole.spacing;
   cutter.part.mesh.thickness = whole.thickness;
   cutter.take_nodes();
-  cutter.take_yarns();
+  cutter.take_yarns(run_on);
   cutter.take_cells();
   cutter.take_ties_and_sets();
   cutter.shift_lattice();

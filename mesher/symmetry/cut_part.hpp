@@ -18,8 +18,9 @@ struct SymmetricPart {
   std::vector<PartImage> image;  // per node of the whole
 };
 
-// `symmetry` has at least one plane and is that of `whole`.
-[[nodiscard]] SymmetricPart cut_part(const Mesh& whole, const Symmetry& symmetry);
+// `symmetry` has at least one plane and is that of `whole`. With `run_on` every yarn that meets a plane runs on by one
+// element beyond it, for forces that look at neighbours: without section, for it is counted on this side.
+[[nodiscard]] SymmetricPart cut_part(const Mesh& whole, const Symmetry& symmetry, bool run_on = false);
 
 // Positions (mm) of the whole's nodes from those of the part's: the start plus the mirrored displacement.
 [[nodiscard]] std::vector<std::array<double, 3>> unfold(const SymmetricPart& part, const Mesh& whole,

@@ -134,11 +134,15 @@ std::string find_load_difference(const Scene& scene, const Card& card, int axis)
 
 std::string find_law_difference(const Scene& scene, const Card& card, const MirrorMap& map) {
   const auto& model = scene.model;
-  // Terms beyond yarns and cells need to know of mirror planes; none does so far.
-  if (model.yarn != "truss" || model.cell != "membrane")
-    return fmt::format("a model of {} yarns and {} cells has no mirror planes", model.yarn, model.cell);
+  // Elements have to know of mirror planes: the rotations of a shell's directors do not.
+  const bool known =
+      (model.yarn == "truss" || model.yarn == "beam") && (model.cell == "membrane" || model.cell == "rotation-free");
+  if (!known) return fmt::format("a model of {} yarns and {} cells has no mirror planes", model.yarn, model.cell);
   if (!map.swaps_families) return "";
   if (!(card.yarn[0] == card.yarn[1])) return "it swaps warp and weft, whose yarns differ";
+  const auto differs = [](const auto& rigidity) { return rigidity && (*rigidity)[0] != (*rigidity)[1]; };
+  if (model.cell != "membrane" && (model.cell_bending ? differs(model.cell_bending) : differs(card.bending.rigidity)))
+    return "it swaps warp and weft, along which the cells bend differently";
   if (model.formulation == "side-frame") return "it swaps warp and weft, and the side frame follows the warp";
   return "";
 }

@@ -5,33 +5,17 @@
 #include <algorithm>
 
 #include "mesher/base/error.hpp"
+#include "solver/lattice/row_blocks.hpp"
 #include "solver/lattice/row_kernels.hpp"
 
 namespace weaveform {
 namespace {
 
-// One row of element forces, readable at index -1 (the element left of the first one does not exist: zero).
-class RowBuffer {
-public:
-  explicit RowBuffer(int stride) : storage_(static_cast<std::size_t>(stride) + 2 * guard, 0.0) {}
-  [[nodiscard]] double* data() { return storage_.data() + guard; }
-  void clear(Run range) { std::fill(data() + range.begin - 1, data() + range.end, 0.0); }
-
-private:
-  static constexpr int guard = 8;  // a cache line, so that data() stays aligned
-  Doubles storage_;
-};
-
 struct Scratch {
-  Scratch(int stride, bool with_history)
-      : along{RowBuffer(stride), RowBuffer(stride), RowBuffer(stride)},
-        across(along),
-        p(along),
-        q(along),
-        carry(along) {
+  Scratch(int stride, bool with_history) : along(row_vectors(stride)), across(along), p(along), q(along), carry(along) {
     if (with_history) spare_history.assign(cell_history_size, Doubles(stride));
   }
-  std::array<RowBuffer, 3> along, across, p, q, carry;
+  RowVectors along, across, p, q, carry;
   std::vector<Doubles> spare_history;  // where the histories of a neighbour's row go
 };
 
@@ -57,12 +41,6 @@ public:
 private:
   std::array<std::array<Doubles, cell_history_size>, 2> side_;
 };
-
-Run united(Run a, Run b) {
-  if (a.begin == a.end) return b;
-  if (b.begin == b.end) return a;
-  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
-}
 
 // A law in the shape the inner loop wants: the paper's when it fits, the general one otherwise.
 struct YarnLawShape {
@@ -95,22 +73,6 @@ ShearLawShape shape_shear_law(const ShearCard& card) {
   shape.paper.plateau = shape.general.plateau = card.start.plateau;
   shape.paper.rise = shape.general.rise = card.start.plateau != 0.0 ? card.start.rise : 1.0;
   return shape;
-}
-
-// Rows in blocks of about equal numbers of nodes, one block a thread.
-std::vector<int> balanced_blocks(const PackedMesh& packed, int threads) {
-  long total = 0;
-  for (int j = 0; j < packed.rows; ++j) total += packed.span(j).end - packed.span(j).begin;
-  std::vector<int> first = {0};
-  long sum = 0;
-  for (int j = 0; j < packed.rows; ++j) {
-    sum += packed.span(j).end - packed.span(j).begin;
-    if (sum * threads >= total * static_cast<long>(first.size()) && static_cast<int>(first.size()) < threads)
-      first.push_back(j + 1);
-  }
-  first.resize(threads, packed.rows);
-  first.push_back(packed.rows);
-  return first;
 }
 
 }  // namespace
@@ -193,7 +155,7 @@ struct FabricForces::Kernels {
     return rows;
   }
 
-  static std::array<double*, 3> pointers(std::array<RowBuffer, 3>& buffers) {
+  static std::array<double*, 3> pointers(RowVectors& buffers) {
     return {buffers[0].data(), buffers[1].data(), buffers[2].data()};
   }
 

@@ -8,26 +8,6 @@ namespace {
 
 constexpr int vector_width = 8;  // doubles; rows start on a multiple of it
 
-// Cuts the marked indices of each row into runs.
-RowRuns runs_of(const std::vector<char>& marked, int stride, int rows) {
-  RowRuns result;
-  for (int j = 0; j < rows; ++j) {
-    result.first.push_back(static_cast<int>(result.run.size()));
-    const char* row = marked.data() + static_cast<std::size_t>(j) * stride;
-    for (int i = 0; i < stride;) {
-      if (row[i] == 0) {
-        ++i;
-        continue;
-      }
-      const int begin = i;
-      while (i < stride && row[i] != 0) ++i;
-      result.run.push_back({begin, i});
-    }
-  }
-  result.first.push_back(static_cast<int>(result.run.size()));
-  return result;
-}
-
 void index_nodes(const Mesh& mesh, PackedMesh& packed) {
   packed.stride = (mesh.lattice_size[0] + 1 + vector_width - 1) / vector_width * vector_width;
   packed.rows = mesh.lattice_size[1];
@@ -81,26 +61,12 @@ void place_yarns(const Mesh& mesh, PackedMesh& packed) {
   packed.weft_runs = runs_of(weft, packed.stride, packed.rows);
 }
 
-// A cell is of the lattice when its nodes are the four crossings around it; its directions are then those of the
-// centre.
-bool is_lattice_cell(const Mesh& mesh, int c) {
-  const int begin = mesh.cells.offset[c], count = mesh.cells.offset[c + 1] - begin;
-  if (count != 4) return false;
-  const auto corner = mesh.cells.lattice[c];
-  constexpr int di[4] = {0, 1, 1, 0}, dj[4] = {0, 0, 1, 1};
-  for (int a = 0; a < 4; ++a) {
-    const auto& crossing = mesh.nodes.crossing[mesh.cells.node[begin + a]];
-    if (crossing[0] != corner[0] + di[a] || crossing[1] != corner[1] + dj[a]) return false;
-  }
-  return true;
-}
-
 void place_cells(const Mesh& mesh, PackedMesh& packed) {
   packed.cell_area.assign(packed.lattice_nodes(), 0.0);
   std::vector<char> marked(packed.lattice_nodes(), 0);
   for (int c = 0; c < mesh.cells.size(); ++c) {
     const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
-    if (is_lattice_cell(mesh, c)) {
+    if (is_full_quad(mesh, c)) {
       const int index = mesh.cells.lattice[c][1] * packed.stride + mesh.cells.lattice[c][0];
       packed.cell_area[index] = mesh.cells.area[c];
       marked[index] = 1;
@@ -124,6 +90,37 @@ void place_cells(const Mesh& mesh, PackedMesh& packed) {
 }
 
 }  // namespace
+
+RowRuns runs_of(const std::vector<char>& marked, int stride, int rows) {
+  RowRuns result;
+  for (int j = 0; j < rows; ++j) {
+    result.first.push_back(static_cast<int>(result.run.size()));
+    const char* row = marked.data() + static_cast<std::size_t>(j) * stride;
+    for (int i = 0; i < stride;) {
+      if (row[i] == 0) {
+        ++i;
+        continue;
+      }
+      const int begin = i;
+      while (i < stride && row[i] != 0) ++i;
+      result.run.push_back({begin, i});
+    }
+  }
+  result.first.push_back(static_cast<int>(result.run.size()));
+  return result;
+}
+
+bool is_full_quad(const Mesh& mesh, int c) {
+  const int begin = mesh.cells.offset[c], count = mesh.cells.offset[c + 1] - begin;
+  if (count != 4) return false;
+  const auto corner = mesh.cells.lattice[c];
+  constexpr int di[4] = {0, 1, 1, 0}, dj[4] = {0, 0, 1, 1};
+  for (int a = 0; a < 4; ++a) {
+    const auto& crossing = mesh.nodes.crossing[mesh.cells.node[begin + a]];
+    if (crossing[0] != corner[0] + di[a] || crossing[1] != corner[1] + dj[a]) return false;
+  }
+  return true;
+}
 
 Run PackedMesh::span(int row) const {
   const int first = node_runs.first[row], last = node_runs.first[row + 1];

@@ -24,6 +24,9 @@ struct RowRuns {
   std::vector<Run> run;
 };
 
+// Cuts the marked indices of each row (j * stride + i) into runs.
+[[nodiscard]] RowRuns runs_of(const std::vector<char>& marked, int stride, int rows);
+
 // Yarn elements with an end on the outline (mesh.hpp: jaw, softening).
 struct LooseYarns {
   std::vector<int> node0, node1;
@@ -55,9 +58,18 @@ struct PackedMesh {
   std::vector<double> mass;         // tonne; 1 where no node is
   std::vector<int> packed_of_mesh;  // packed index of each mesh node
   [[nodiscard]] int lattice_nodes() const { return stride * rows; }
+  // Whether the element from packed node a to b is one of its row's runs.
+  [[nodiscard]] bool is_lattice_yarn(int family, int a, int b) const {
+    const auto& section = family == 0 ? warp_section : weft_section;
+    return a < lattice_nodes() && b - a == (family == 0 ? 1 : stride) && section[a] > 0.0;
+  }
   // Range of i that row j's nodes span; {0, 0} when empty.
   [[nodiscard]] Run span(int row) const;
 };
+
+// A cell is of the lattice when its nodes are the four crossings around it; its directions are then those of the
+// centre.
+[[nodiscard]] bool is_full_quad(const Mesh& mesh, int cell);
 
 [[nodiscard]] PackedMesh pack_mesh(const Mesh& mesh);
 

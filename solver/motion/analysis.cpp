@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "mesher/base/error.hpp"
+#include "solver/bending/flexure.hpp"
 #include "solver/motion/gravity.hpp"
 #include "solver/motion/interrupt.hpp"
 
@@ -103,8 +104,22 @@ const std::vector<double>& Analysis::whole_grip_forces() {
 void Analysis::add_terms() {
   if (scene_.analysis.gravity != Vec3{0.0, 0.0, 0.0})
     terms_.push_back(std::make_unique<Gravity>(packed_, state_, scene_.analysis.gravity));
-  if (scene_.tools.empty()) return;
+  const Flexure flexure = choose_flexure(card_, scene_.model);
+  // a shear frame's members turn, so that yarns are not clamped in them
+  const auto clamped = scene_.frame ? std::vector<char>(mesh_.node_count(), 0) : held_nodes(grips_, mesh_, packed_);
+  if (flexure.bends_yarns || flexure.rotation_free) {
+    auto bending = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, threads_);
+    bending_ = bending.get();
+    terms_.push_back(std::move(bending));
+  }
   const double fabric_step = critical_step_(mesh_positions(packed_, state_)).step;
+  if (flexure.has_shell) {
+    auto shell = std::make_unique<Shell>(mesh_, packed_, card_, flexure, clamped, state_,
+                                         Shell::Setup{fabric_step, loading_.damping, threads_});
+    shell_ = shell.get();
+    terms_.push_back(std::move(shell));
+  }
+  if (scene_.tools.empty()) return;
   auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, threads_);
   contact_ = contact.get();
   terms_.push_back(std::move(contact));
@@ -227,6 +242,9 @@ void Analysis::open_outputs() {
   }
   if (row_due) {
     balance_.internal = stored_energy(position);
+    balance_.bending = parts_ * ((bending_ != nullptr ? bending_->stored_energy() : 0.0) +
+                                 (shell_ != nullptr ? shell_->stored_energy() : 0.0));
+    balance_.hourglass = shell_ != nullptr ? parts_ * shell_->hourglass_energy() : 0.0;
     folded_ = std::max(folded_, static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true)));
     row_schedule_.advance(time);
     row_open_ = true;
@@ -341,10 +359,11 @@ void Analysis::perturb() {
 
 std::string Analysis::identity() const {
   return fmt::format(
-      "{} nodes, {} yarns, {} cells, {} {} {}, duration {:.17g}, damping {:.17g}, factor {:.17g}, rows {}, frames {}",
-      mesh_.node_count(), mesh_.yarn_count(), mesh_.cells.size(), card_.name, scene_.model.formulation,
-      scene_.model.thickness, duration_, loading_.damping, scene_.analysis.step_factor, scene_.output.history,
-      scene_.output.frames);
+      "{} nodes, {} yarns, {} cells, {} {} {} {} {}, duration {:.17g}, damping {:.17g}, factor {:.17g}, rows {}, "
+      "frames {}",
+      mesh_.node_count(), mesh_.yarn_count(), mesh_.cells.size(), card_.name, scene_.model.yarn, scene_.model.cell,
+      scene_.model.formulation, scene_.model.thickness, duration_, loading_.damping, scene_.analysis.step_factor,
+      scene_.output.history, scene_.output.frames);
 }
 
 void Analysis::leave_checkpoint() {
@@ -442,6 +461,9 @@ SolveResult Analysis::result() {
   s.energy_error = worst_error_;
   s.kinetic_to_internal = worst_ratio_;
   s.damping_work_mJ = balance_.damping;
+  s.bending_energy_mJ = balance_.bending;
+  s.hourglass_energy_mJ = balance_.hourglass;
+  if (shell_ != nullptr) s.rotary_inertia_scale = shell_->inertia_scale();
   for (const double angle : fields_.shear_angle) {
     const double degrees = std::abs(angle) * 180.0 / std::numbers::pi;
     s.max_shear_angle_deg = std::max(s.max_shear_angle_deg, degrees);

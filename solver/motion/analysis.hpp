@@ -8,6 +8,8 @@
 
 #include "mesher/base/progress.hpp"
 #include "mesher/symmetry/cut_part.hpp"
+#include "solver/bending/lattice_bending.hpp"
+#include "solver/bending/shell.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/lattice/forces.hpp"
 #include "solver/motion/checkpoint.hpp"
@@ -78,7 +80,9 @@ private:
   std::vector<Grip> grips_;
   FabricForces forces_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
-  const Contact* contact_ = nullptr;  // one of the terms, when the scene has tools
+  const LatticeBending* bending_ = nullptr;  // one of the terms, when anything bends without unknowns
+  const Shell* shell_ = nullptr;             // one of the terms, when the cells are shells
+  const Contact* contact_ = nullptr;         // one of the terms, when the scene has tools
   CriticalStep critical_step_;
   InternalEnergy internal_energy_;
   Loading loading_;

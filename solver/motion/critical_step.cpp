@@ -42,10 +42,7 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
       held_(std::move(held)),
       tied_(mesh.node_count(), 0) {
   for (const auto& tie : mesh.tie) tied_[tie.node] = 1;
-  for (const auto& image : mesh.symmetry.image) {
-    tied_[image.node] = 1;
-    held_[image.node] = held_[image.of];
-  }
+  for (const auto& image : mesh.symmetry.image) tied_[image.node] = 1;
   for (int f = 0; f < 2; ++f)
     // up to 50 % strain: far beyond what a yarn bears; the run stops there (see the checks of the time loop)
     stiffest_[f] =
@@ -75,7 +72,9 @@ void CriticalStep::add_other_sides(std::vector<Matrix3d>& bound) const {
   }
 }
 
-StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std::vector<double>& further) const {
+StableStep CriticalStep::operator()(const std::vector<Vec3>& position, std::vector<double> further) const {
+  if (!further.empty())
+    for (const auto& image : mesh_.symmetry.image) further[image.of] += further[image.node];
   std::vector<Matrix3d> bound(mesh_.node_count(), Matrix3d::Zero());
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     const auto [a, b] = mesh_.yarns.node[e];

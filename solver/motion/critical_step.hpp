@@ -33,7 +33,7 @@ public:
   // MPa; the stiffest tangent of each family's yarns
   [[nodiscard]] const std::array<double, 2>& stiffest() const { return stiffest_; }
   // `further`: per mesh node, row sums of everything else that is stiff there (N/mm); may be empty.
-  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::vector<double>& further = {}) const;
+  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, std::vector<double> further = {}) const;
 
 private:
   void move_images(std::vector<Eigen::Matrix3d>& bound, std::vector<double>& cell_rows) const;

@@ -67,6 +67,7 @@ std::vector<char> held_nodes(const std::vector<Grip>& grips, const Mesh& mesh, c
     if (grip.holds_all())
       for (const int n : grip.node) packed_held[n] = 1;
   for (int n = 0; n < mesh.node_count(); ++n) held[n] = packed_held[packed.packed_of_mesh[n]];
+  for (const auto& image : mesh.symmetry.image) held[image.node] = held[image.of];
   return held;
 }
 

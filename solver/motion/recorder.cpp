@@ -14,8 +14,8 @@ Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, do
   for (const auto& probe : probes_)
     for (const char* what : {".shear_angle_deg", ".shear_angle_sd_deg", ".shear_angle_min_deg", ".shear_angle_max_deg"})
       history_.column.push_back(probe.name + what);
-  for (const char* what :
-       {"kinetic_energy_mJ", "internal_energy_mJ", "external_work_mJ", "damping_work_mJ", "energy_error"})
+  for (const char* what : {"kinetic_energy_mJ", "internal_energy_mJ", "external_work_mJ", "damping_work_mJ",
+                           "bending_energy_mJ", "hourglass_energy_mJ", "energy_error"})
     history_.column.emplace_back(what);
   window_.impulse.assign(grip_count_, 0.0);
 }
@@ -78,7 +78,8 @@ void Recorder::add_row(double time, const std::vector<double>& displacement, con
     const auto shear = shear_statistics(probe, fields);
     row.insert(row.end(), {shear.mean, shear.deviation, shear.least, shear.greatest});
   }
-  row.insert(row.end(), {balance.kinetic, balance.internal, balance.external, balance.damping, balance.error()});
+  row.insert(row.end(), {balance.kinetic, balance.internal, balance.external, balance.damping, balance.bending,
+                         balance.hourglass, balance.error()});
   row.resize(history_.column.size(), 0.0);
   for (int t = 0; t < tool_count_; ++t) row[tool_column_ + 3 * t] = tools[t].displacement;
   history_.row.push_back(std::move(row));

@@ -37,7 +37,10 @@ struct SolveStatistics {
   double energy_error = 0.0;         // greatest |internal + kinetic + damping - external| / greatest energy
   double kinetic_to_internal = 0.0;  // greatest ratio after the first tenth of the travel
   double damping_work_mJ = 0.0;
-  double max_shear_angle_deg = 0.0;  // greatest |shear angle| in the last frame
+  double bending_energy_mJ = 0.0;     // stored at the end; part of the internal energy
+  double hourglass_energy_mJ = 0.0;   // part of it that one point per cell would not see (shell)
+  double rotary_inertia_scale = 1.0;  // greatest factor on a node's rotary inertia (shell)
+  double max_shear_angle_deg = 0.0;   // greatest |shear angle| in the last frame
   double max_yarn_strain = 0.0;
   int folded_cells = 0;  // greatest number at any history row
   int folded_cells_at_end = 0;

@@ -63,6 +63,13 @@ TEST(Symmetry, AQuarterIsTheWholeToRounding) {
        [](Scene& s) {
          s.blank.orientation = 30.0, s.blank.position = {11.0, -7.0, 3.0};
        }},
+      {"beams and cells that bend",
+       [](Scene& s) {
+         s.model.yarn = "beam";
+         s.model.yarn_bending = {{300.0, 200.0}};
+         s.model.cell = "rotation-free";
+         s.model.cell_bending = {{30.0, 40.0, 20.0}};
+       }},
       {"incremental", [](Scene& s) { s.model.formulation = "incremental"; }},
       {"contravariant, under its weight",
        [](Scene& s) {

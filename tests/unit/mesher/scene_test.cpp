@@ -37,14 +37,17 @@ Scene unusual_scene() {
                  .fit = "none",
                  .orientation = 30,
                  .position = {1, -2, 3e-7}};
-  scene.model = {.yarn = "truss",
-                 .cell = "membrane",
+  scene.model = {.yarn = "beam",
+                 .cell = "shell",
                  .formulation = "contravariant",
                  .thickness = "constant",
                  .section = "constant",
                  .yarn_law = "linear",
                  .yarn_stiffness_scale = 0.01,
-                 .symmetry = "half"};
+                 .symmetry = "half",
+                 .yarn_bending = {{3.5, 1.0 / 7}},
+                 .cell_bending = {{1, 2, 0.3}},
+                 .transverse_shear = 0.7};
   scene.grip = {{.name = "held", .edge = "left", .box = {}, .travel = 0, .direction = {}, .free = {"x", "z"}},
                 {.name = "pulled",
                  .edge = "",

@@ -129,6 +129,15 @@ TEST(Symmetry, WhatBreaksItIsNamed) {
          s.blank.yarn_angle = 45.0, s.blank.coarsening = {3.0, 2.0};
        },
        "none", "it swaps warp and weft"},
+      {"cells that bend unequally, at 45 deg",
+       [](Scene& s) {
+         s.blank.yarn_angle = 45.0;
+         s.model.cell = "rotation-free";
+         s.model.cell_bending = {{30.0, 40.0, 20.0}};
+       },
+       "none", "along which the cells bend differently"},
+      {"shells", [](Scene& s) { s.model.cell = "shell"; }, "none",
+       "a model of truss yarns and shell cells has no mirror planes"},
       {"side frames at 45 deg", [](Scene& s) { s.blank.yarn_angle = 45.0, s.model.formulation = "side-frame"; }, "none",
        "the side frame follows the warp"},
       {"triangles",
@@ -241,10 +250,10 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-double yarn_length(const MeshYarns& yarns) {
-  double length = 0.0;
-  for (std::size_t e = 0; e < yarns.yarns.size(); ++e) length += yarns.yarns[e] * yarns.rest_length[e];
-  return length;
+double yarn_volume(const MeshYarns& yarns) {
+  double volume = 0.0;
+  for (std::size_t e = 0; e < yarns.section.size(); ++e) volume += yarns.section[e] * yarns.rest_length[e];
+  return volume;
 }
 
 // Every symmetric animal of the zoo: whatever the planes cut, the parts make the whole.
@@ -259,7 +268,7 @@ TEST(SymmetricPart, PartsAddUpToTheWhole) {
     const double parts = part.mesh.symmetry.parts();
     EXPECT_NEAR(parts * sum(part.mesh.nodes.mass), sum(whole.nodes.mass), 1e-12 * sum(whole.nodes.mass)) << animal.name;
     EXPECT_NEAR(parts * sum(part.mesh.cells.area), sum(whole.cells.area), 1e-12 * sum(whole.cells.area)) << animal.name;
-    EXPECT_NEAR(parts * yarn_length(part.mesh.yarns), yarn_length(whole.yarns), 1e-12 * yarn_length(whole.yarns))
+    EXPECT_NEAR(parts * yarn_volume(part.mesh.yarns), yarn_volume(whole.yarns), 1e-12 * yarn_volume(whole.yarns))
         << animal.name;
     EXPECT_EQ(unfold(part, whole, part.mesh.nodes.position), whole.nodes.position) << animal.name;
     EXPECT_LT(part.mesh.node_count(), whole.node_count()) << animal.name;

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "mesher/symmetry/cut_part.hpp"
+#include "solver/bending/flexure.hpp"
+#include "solver/bending/lattice_bending.hpp"
 #include "solver/motion/critical_step.hpp"
 #include "solver/motion/ties.hpp"
 #include "tests/support/contact_scene.hpp"
@@ -21,6 +23,7 @@ struct Case {
   std::array<double, 2> phase;
   const char* formulation;
   const char* symmetry;
+  bool bending = false;
 };
 
 // Mirrored at x = 0 and y = 0: stretched, sheared out of shape and bent out of the plane.
@@ -34,6 +37,8 @@ struct Moved {
   std::unique_ptr<MirrorPlanes> mirrors;
   std::unique_ptr<Ties> ties;
   State state;
+  std::unique_ptr<LatticeBending> bending;
+  std::vector<double> bound;
 
   Moved(const Mesh& mesh, const Scene& scene, const Card& card) : packed(pack_mesh(mesh)) {
     ties = std::make_unique<Ties>(mesh, packed);
@@ -48,6 +53,14 @@ struct Moved {
     ties->follow(state);
     if (mirrors) mirrors->follow(state);
     fabric.compute(state);
+    const Flexure flexure = choose_flexure(card, scene.model);
+    if (flexure.bends_yarns || flexure.rotation_free) {
+      const std::vector<char> held(mesh.node_count(), 0);
+      bending = std::make_unique<LatticeBending>(mesh, packed, flexure, held, state, 1);
+      bending->add_forces(state, 0.0);
+      bound.assign(mesh.node_count(), 0.0);
+      bending->add_stiffness_bound(mesh_positions(packed, state), bound);
+    }
     if (mirrors) mirrors->give_forces(state);
     ties->give_forces(state);
     if (mirrors) mirrors->give_forces(state);
@@ -62,18 +75,27 @@ struct Moved {
 
 TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
   const std::vector<Case> cases = {
-      {0.0, {0.0, 0.0}, "energy", "quarter"},     {0.0, {0.5, 0.5}, "energy", "quarter"},
-      {90.0, {0.5, 0.0}, "energy", "quarter"},    {45.0, {0.0, 0.0}, "energy", "quarter"},
-      {45.0, {0.5, 0.5}, "energy", "quarter"},    {45.0, {0.0, 0.0}, "incremental", "half"},
-      {0.0, {0.0, 0.0}, "side-frame", "quarter"}, {0.0, {0.5, 0.0}, "contravariant", "half"}};
+      {0.0, {0.0, 0.0}, "energy", "quarter"},        {0.0, {0.5, 0.5}, "energy", "quarter"},
+      {90.0, {0.5, 0.0}, "energy", "quarter"},       {45.0, {0.0, 0.0}, "energy", "quarter"},
+      {45.0, {0.5, 0.5}, "energy", "quarter"},       {45.0, {0.0, 0.0}, "incremental", "half"},
+      {0.0, {0.0, 0.0}, "side-frame", "quarter"},    {0.0, {0.5, 0.0}, "contravariant", "half"},
+      {0.0, {0.0, 0.0}, "energy", "quarter", true},  {0.0, {0.5, 0.5}, "energy", "quarter", true},
+      {45.0, {0.0, 0.0}, "energy", "quarter", true}, {45.0, {0.5, 0.5}, "energy", "half", true}};
   for (const auto& c : cases) {
     Scene scene = test::FabricPatch::make_scene("twintex-pw", c.yarn_angle, {60.0, 80.0}, c.formulation,
                                                 "constant-volume", "incompressible");
     scene.blank.phase = c.phase;
     scene.model.symmetry = c.symmetry;
+    if (c.bending) {
+      // stiff enough that bending makes a good part of the force
+      scene.model.yarn = "beam";
+      scene.model.yarn_bending = {{3e3, 2e3}};
+      scene.model.cell = "rotation-free";
+      scene.model.cell_bending = {{300.0, c.yarn_angle == 45.0 ? 300.0 : 400.0, 200.0}};
+    }
     const Card card = load_card(scene.fabric.material);
     const Mesh whole = build_mesh(scene, card);
-    const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole));
+    const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole), c.bending);
     const std::string name = std::to_string(c.yarn_angle) + " deg, phase " + std::to_string(c.phase[0]);
     const Moved all(whole, scene, card), some(part.mesh, scene, card);
 
@@ -98,9 +120,15 @@ TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
 
     const auto step = [&](const Mesh& mesh, const Moved& moved) {
       return CriticalStep(mesh, card, yarn_laws(card, scene.model), scene.model,
-                          std::vector<char>(mesh.node_count(), 0))(mesh_positions(moved.packed, moved.state))
+                          std::vector<char>(mesh.node_count(), 0))(mesh_positions(moved.packed, moved.state),
+                                                                   moved.bound)
           .step;
     };
+    if (c.bending) {
+      const double energy = all.bending->stored_energy();
+      EXPECT_GT(energy, 0.0);
+      EXPECT_NEAR(part.mesh.symmetry.parts() * some.bending->stored_energy(), energy, 1e-12 * energy) << name;
+    }
     const double of_whole = step(whole, all);
     EXPECT_NEAR(step(part.mesh, some), of_whole, 1e-10 * of_whole) << name;
   }

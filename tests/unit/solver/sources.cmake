@@ -1,4 +1,5 @@
 set(UNIT_SOLVER_SOURCES
+  unit/solver/bending_test.cpp
   unit/solver/contact_law_test.cpp
   unit/solver/fabric_forces_test.cpp
   unit/solver/fields_test.cpp
@@ -6,4 +7,5 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/history_test.cpp
   unit/solver/incremental_cell_test.cpp
   unit/solver/mirror_planes_test.cpp
+  unit/solver/shell_test.cpp
 )

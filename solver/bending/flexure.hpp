@@ -1,0 +1,28 @@
+// Who bends with what stiffness: the card's numbers and the scene's choice of elements, resolved.
+#pragma once
+
+#include <array>
+
+#include "mesher/material/card.hpp"
+#include "mesher/scene/scene.hpp"
+
+namespace weaveform {
+
+// Moment-curvature laws per yarn (N mm against 1/mm; a cell's is its rigidity times the yarn interval) and twist per
+// width. A law without pieces bears nothing.
+struct Flexure {
+  std::array<TangentLaw, 2> in_plane, out_of_plane;  // of beams, and out of plane also of rotation-free cells
+  std::array<TangentLaw, 2> shell;                   // of shell cells, out of plane
+  double twist = 0.0;                                // N mm; of rotation-free and shell cells
+  double transverse_shear = 0.0;                     // N/mm; of shell cells
+  bool bends_yarns = false;                          // any law of in_plane and out_of_plane
+  bool rotation_free = false, has_shell = false;
+};
+
+// Beams take model.yarn_bending, or the card's two laws. Cells that bend take model.cell_bending, or the card's
+// rigidity less the initial stiffness of the beams, if any, or (with yarns that do not bend) the card's yarn law out of
+// plane. Throws InputError when a number is needed that neither the scene nor the card gives, and for a shell without
+// bending stiffness along its yarns: its rotations would be free to alternate.
+[[nodiscard]] Flexure choose_flexure(const Card& card, const ModelSpec& model);
+
+}  // namespace weaveform

@@ -1,0 +1,348 @@
+#include "solver/bending/lattice_bending.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesher/base/error.hpp"
+#include "solver/bending/bend_kernels.hpp"
+#include "solver/bending/bending_energy.hpp"
+#include "solver/lattice/row_blocks.hpp"
+
+namespace weaveform {
+namespace {
+
+// The curvature that the stable step is bounded up to: a yarn folded flat at one crossing.
+constexpr double fold = 3.2;  // rad
+
+// Moment laws in the shape the inner loop wants.
+struct FlexureShape {
+  std::array<ConstantFlexure, 2> constant;
+  std::array<CurvedFlexure, 2> curved;
+  bool is_curved = false;
+  [[nodiscard]] const void* pointer(int f) const {
+    return is_curved ? static_cast<const void*>(&curved[f]) : &constant[f];
+  }
+  // Only constants that are alike spare the normal: a curved law depends on each part of the curvature by itself.
+  [[nodiscard]] bool isotropic() const {
+    return !is_curved && constant[0].in == constant[0].out && constant[1].in == constant[1].out;
+  }
+};
+
+bool is_constant(const TangentLaw& law) {
+  return law.pieces().empty() || (law.pieces().size() == 1 && law.pieces()[0].coefficient.size() == 1);
+}
+
+GeneralLaw packed_moment(const TangentLaw& law) {
+  GeneralLaw packed;
+  if (!law.pieces().empty() && !pack_law(law, 0.0, packed))
+    throw InputError("material: a bending law has more than 6 pieces or a stiffness above degree 5; simplify it");
+  return packed;
+}
+
+FlexureShape shape_flexure(const Flexure& flexure) {
+  FlexureShape shape;
+  for (int f = 0; f < 2; ++f) {
+    shape.is_curved |= !is_constant(flexure.in_plane[f]) || !is_constant(flexure.out_of_plane[f]);
+    shape.constant[f] = {flexure.in_plane[f].tangent(0.0), flexure.out_of_plane[f].tangent(0.0)};
+    shape.curved[f] = {packed_moment(flexure.in_plane[f]), packed_moment(flexure.out_of_plane[f])};
+  }
+  return shape;
+}
+
+// The bends that are not in rows, as the inner loop's columns.
+struct LooseBends {
+  std::vector<int> node, neighbour[2][2];  // [family][before, after]
+  std::vector<double> yarns[2], inverse_spread[2];
+  std::vector<double> own[2][2], fixed[2][2][3];
+  std::vector<double> force[2][2][3];  // N
+  [[nodiscard]] int size() const { return static_cast<int>(node.size()); }
+
+  void add(const Bend& bend, const PackedMesh& packed) {
+    const auto at = [&](int n) { return packed.packed_of_mesh[n]; };
+    node.push_back(at(bend.node));
+    for (int f = 0; f < 2; ++f) {
+      const YarnBend& yarn = bend.yarn[f];
+      yarns[f].push_back(yarn.yarns);
+      inverse_spread[f].push_back(yarn.yarns > 0.0 ? 1.0 / yarn.spread : 1.0);
+      const std::array<int, 2> beside = {yarn.before, yarn.after};
+      const std::array<bool, 2> is_fixed = {yarn.fixed_before, yarn.fixed_after};
+      for (int side = 0; side < 2; ++side) {
+        neighbour[f][side].push_back(at(beside[side]));
+        own[f][side].push_back(is_fixed[side] || beside[side] == bend.node ? 0.0 : 1.0);
+        for (int c = 0; c < 3; ++c) fixed[f][side][c].push_back(is_fixed[side] ? yarn.fixed[c] : 0.0);
+      }
+    }
+    for (auto& family : force)
+      for (auto& side : family)
+        for (auto& component : side) component.push_back(0.0);
+  }
+
+  [[nodiscard]] LooseBendView view() const {
+    LooseBendView v{};
+    v.count = size();
+    v.node = node.data();
+    for (int f = 0; f < 2; ++f) {
+      v.before[f] = neighbour[f][0].data();
+      v.after[f] = neighbour[f][1].data();
+      v.yarns[f] = yarns[f].data();
+      v.inverse_spread[f] = inverse_spread[f].data();
+      v.own_before[f] = own[f][0].data();
+      v.own_after[f] = own[f][1].data();
+      for (int c = 0; c < 3; ++c) {
+        v.fixed_before[f][c] = fixed[f][0][c].data();
+        v.fixed_after[f][c] = fixed[f][1][c].data();
+      }
+    }
+    return v;
+  }
+};
+
+// Forces of the bends of one row, and of the cells above it.
+struct BendRowBuffers {
+  explicit BendRowBuffers(int stride)
+      : warp_after(row_vectors(stride)),
+        warp_before(warp_after),
+        weft_after(warp_after),
+        weft_before(warp_after),
+        centre(warp_after),
+        a(warp_after),
+        d(warp_after),
+        e(warp_after) {}
+  RowVectors warp_after, warp_before, weft_after, weft_before, centre;
+  RowVectors a, d, e;
+};
+
+// Three rows at a time: a crossing feels the bends of the rows below and above it.
+struct Ring {
+  explicit Ring(int stride) : rows{BendRowBuffers(stride), BendRowBuffers(stride), BendRowBuffers(stride)} {}
+  BendRowBuffers& operator[](int row) { return rows[(row + 3) % 3]; }
+  std::array<BendRowBuffers, 3> rows;
+};
+
+std::array<double*, 3> pointers(RowVectors& buffers) {
+  return {buffers[0].data(), buffers[1].data(), buffers[2].data()};
+}
+
+void copy(const std::array<double*, 3>& from, double* (&to)[3]) {
+  std::copy(from.begin(), from.end(), to);
+}
+
+}  // namespace
+
+struct LatticeBending::Parts {
+  const Mesh& mesh;
+  const PackedMesh& packed;
+  const State& state;
+  Flexure flexure;
+  FlexureShape shape;
+  BendKernels kernels;
+  std::vector<Bend> bends;
+  std::vector<TwistCell> twist_cells;
+  RowRuns bend_runs, twist_runs;
+  std::vector<double> warp_yarns, weft_yarns, twist_stiffness;
+  LooseBends loose;
+  std::vector<int> block;
+  std::vector<Ring> ring;
+
+  Parts(const Mesh& m, const PackedMesh& p, const Flexure& chosen, const std::vector<char>& held, const State& s,
+        int threads)
+      : mesh(m),
+        packed(p),
+        state(s),
+        flexure(chosen),
+        shape(shape_flexure(chosen)),
+        kernels(bend_kernels(shape.is_curved, shape.isotropic())),
+        block(balanced_blocks(p, threads)) {
+    if (flexure.bends_yarns) bends = find_bends(mesh, held);
+    if (flexure.rotation_free && flexure.twist > 0.0) twist_cells = find_twist_cells(mesh);
+    place_bends();
+    place_twist();
+    for (int t = 0; t < threads; ++t) ring.emplace_back(packed.stride);
+  }
+
+  // In rows: crossings all of whose neighbours are crossings at the regular distance.
+  [[nodiscard]] bool is_lattice_bend(const Bend& bend) const {
+    const auto& at = mesh.nodes.crossing;
+    const auto [i, j] = at[bend.node];
+    if (i < 0) return false;
+    for (int f = 0; f < 2; ++f) {
+      const YarnBend& yarn = bend.yarn[f];
+      const std::array<int, 2> step = {f == 0 ? 1 : 0, f == 0 ? 0 : 1};
+      if (yarn.fixed_before || yarn.fixed_after || yarn.yarns == 0.0 ||
+          at[yarn.before] != std::array<int, 2>{i - step[0], j - step[1]} ||
+          at[yarn.after] != std::array<int, 2>{i + step[0], j + step[1]} ||
+          std::abs(yarn.spread - mesh.spacing[f]) > 1e-9 * mesh.spacing[f])
+        return false;
+    }
+    return true;
+  }
+
+  void place_bends() {
+    std::vector<char> marked(packed.lattice_nodes(), 0);
+    warp_yarns.assign(packed.lattice_nodes(), 0.0);
+    weft_yarns.assign(packed.lattice_nodes(), 0.0);
+    for (const auto& bend : bends) {
+      if (!is_lattice_bend(bend)) {
+        loose.add(bend, packed);
+        continue;
+      }
+      const int n = packed.packed_of_mesh[bend.node];
+      marked[n] = 1;
+      warp_yarns[n] = bend.yarn[0].yarns;
+      weft_yarns[n] = bend.yarn[1].yarns;
+    }
+    bend_runs = runs_of(marked, packed.stride, packed.rows);
+  }
+
+  void place_twist() {
+    std::vector<char> marked(packed.lattice_nodes(), 0);
+    twist_stiffness.assign(packed.lattice_nodes(), 0.0);
+    const double unit_area = mesh.spacing[0] * mesh.spacing[1];
+    for (const auto& cell : twist_cells) {
+      const int n = packed.packed_of_mesh[cell.node[0]];
+      marked[n] = 1;
+      twist_stiffness[n] = 4.0 * flexure.twist * cell.area / (unit_area * unit_area);
+    }
+    twist_runs = runs_of(marked, packed.stride, packed.rows);
+  }
+
+  // Rows outside the lattice stand in for themselves; no run reads them.
+  [[nodiscard]] BendRows rows_around(int j) const {
+    BendRows rows{};
+    const auto row = [&](int k) { return static_cast<std::size_t>(std::clamp(k, 0, packed.rows - 1)) * packed.stride; };
+    for (int c = 0; c < 3; ++c) {
+      rows.below[c] = state.position[c].data() + row(j - 1);
+      rows.here[c] = state.position[c].data() + row(j);
+      rows.above[c] = state.position[c].data() + row(j + 1);
+    }
+    return rows;
+  }
+
+  void compute_row(int j, BendRowBuffers& buffers) {
+    for (auto* vectors : {&buffers.warp_after, &buffers.warp_before, &buffers.weft_after, &buffers.weft_before,
+                          &buffers.centre, &buffers.a, &buffers.d, &buffers.e})
+      for (auto& component : *vectors) component.clear({0, packed.stride + 1});
+    if (j < 0 || j >= packed.rows) return;
+    const BendRows rows = rows_around(j);
+    const auto offset = static_cast<std::size_t>(j) * packed.stride;
+    BendRowOutput out{};
+    copy(pointers(buffers.warp_after), out.warp_after);
+    copy(pointers(buffers.warp_before), out.warp_before);
+    copy(pointers(buffers.weft_after), out.weft_after);
+    copy(pointers(buffers.weft_before), out.weft_before);
+    copy(pointers(buffers.centre), out.centre);
+    for (int r = bend_runs.first[j]; r < bend_runs.first[j + 1]; ++r)
+      kernels.row(shape.pointer(0), shape.pointer(1), rows, 1.0 / packed.spacing[0], 1.0 / packed.spacing[1],
+                  warp_yarns.data() + offset, weft_yarns.data() + offset, bend_runs.run[r].begin, bend_runs.run[r].end,
+                  out);
+    TwistRowOutput twist{};
+    copy(pointers(buffers.a), twist.a);
+    copy(pointers(buffers.d), twist.d);
+    copy(pointers(buffers.e), twist.e);
+    for (int r = twist_runs.first[j]; r < twist_runs.first[j + 1]; ++r)
+      twist_row(rows, twist_stiffness.data() + offset, twist_runs.run[r].begin, twist_runs.run[r].end, twist);
+  }
+
+  // f(i,j) gets its own bend's, the warp neighbours' of its row, the weft neighbours' of the rows beside it, and the
+  // twist of the four cells around it.
+  void assemble_row(int j, BendRowBuffers& below, BendRowBuffers& here, BendRowBuffers& above, State& target) const {
+    const Run span = packed.span(j);
+    const bool twists = !twist_cells.empty();
+    for (int c = 0; c < 3; ++c) {
+      double* f = target.force[c].data() + static_cast<std::size_t>(j) * packed.stride;
+      if (flexure.bends_yarns)
+        bend_assemble(here.centre[c].data(), here.warp_after[c].data(), here.warp_before[c].data(),
+                      below.weft_after[c].data(), above.weft_before[c].data(), f, span.begin, span.end);
+      if (twists)
+        twist_assemble(here.a[c].data(), here.d[c].data(), here.e[c].data(), below.a[c].data(), below.d[c].data(),
+                       below.e[c].data(), f, span.begin, span.end);
+    }
+  }
+
+  void block_of_rows(State& target, int first, int last, Ring& rows) {
+    if (first == last) return;
+    compute_row(first - 1, rows[first - 1]);
+    compute_row(first, rows[first]);
+    for (int j = first; j < last; ++j) {
+      compute_row(j + 1, rows[j + 1]);
+      assemble_row(j, rows[j - 1], rows[j], rows[j + 1], target);
+    }
+  }
+
+  void add_loose(State& target) {
+    if (loose.size() == 0) return;
+    const double* const x[3] = {target.position[0].data(), target.position[1].data(), target.position[2].data()};
+    double* force[2][2][3];
+    for (int f = 0; f < 2; ++f)
+      for (int side = 0; side < 2; ++side)
+        for (int c = 0; c < 3; ++c) force[f][side][c] = loose.force[f][side][c].data();
+    kernels.loose(shape.pointer(0), shape.pointer(1), loose.view(), x, force);
+    for (int c = 0; c < 3; ++c) {
+      double* f = target.force[c].data();
+      for (int family = 0; family < 2; ++family)
+        for (int side = 0; side < 2; ++side) {
+          const double* from = force[family][side][c];
+          for (int e = 0; e < loose.size(); ++e) {
+            f[loose.neighbour[family][side][e]] += from[e];
+            f[loose.node[e]] -= from[e];
+          }
+        }
+    }
+  }
+};
+
+LatticeBending::LatticeBending(const Mesh& mesh, const PackedMesh& packed, const Flexure& flexure,
+                               const std::vector<char>& held, const State& state, int threads)
+    : parts_(std::make_unique<Parts>(mesh, packed, flexure, held, state, threads)) {}
+
+LatticeBending::~LatticeBending() = default;
+
+void LatticeBending::add_forces(State& state, double /*step*/) {
+  auto& p = *parts_;
+  const int blocks = static_cast<int>(p.ring.size());
+#pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
+  for (int b = 0; b < blocks; ++b) p.block_of_rows(state, p.block[b], p.block[b + 1], p.ring[b]);
+  p.add_loose(state);
+}
+
+double LatticeBending::stored_energy() const {
+  const auto& p = *parts_;
+  const auto position = mesh_positions(p.packed, p.state);
+  return bending_energy(p.bends, p.flexure, position) +
+         twist_energy(p.twist_cells, p.flexure.twist, p.mesh.spacing, position);
+}
+
+void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const {
+  const auto& p = *parts_;
+  const auto distance = [&](int a, int b) {
+    return std::hypot(position[b][0] - position[a][0], position[b][1] - position[a][1],
+                      position[b][2] - position[a][2]);
+  };
+  // the turn of the fabric's normal and the moment's own turn add less than once more
+  constexpr double of_large_turns = 2.0;
+  for (const auto& bend : p.bends)
+    for (int f = 0; f < 2; ++f) {
+      const YarnBend& yarn = bend.yarn[f];
+      if (yarn.yarns == 0.0) continue;
+      const double greatest = fold / yarn.spread;
+      const double stiffness =
+          of_large_turns * yarn.yarns / yarn.spread *
+          std::max(p.flexure.in_plane[f].stiffest(0.0, greatest), p.flexure.out_of_plane[f].stiffest(0.0, greatest));
+      const double before = yarn.fixed_before ? 0.0 : 1.0 / distance(yarn.before, bend.node);
+      const double after = yarn.fixed_after ? 0.0 : 1.0 / distance(bend.node, yarn.after);
+      const double sum = 2.0 * (before + after);
+      if (before > 0.0) bound[yarn.before] += stiffness * before * sum;
+      if (after > 0.0) bound[yarn.after] += stiffness * after * sum;
+      bound[bend.node] += stiffness * (before + after) * sum;
+    }
+  // E = 1/2 k (q.n)^2, each corner +-1 in q: row sums 4 k
+  for (const auto& cell : p.twist_cells) {
+    const double unit_area = p.mesh.spacing[0] * p.mesh.spacing[1];
+    for (const int n : cell.node)
+      bound[n] += of_large_turns * 16.0 * p.flexure.twist * cell.area / (unit_area * unit_area);
+  }
+}
+
+}  // namespace weaveform

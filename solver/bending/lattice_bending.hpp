@@ -1,0 +1,35 @@
+// Bending without unknowns of its own: beams' yarns (the paper's B31) and rotation-free cells. Curvatures come from the
+// lattice: along warp and weft at every crossing (yarn_bend.hpp), twist in every cell (bend_kernels.hpp). Both families
+// turn freely against each other, so trellis shear stays unresisted to the last bit that rounding leaves.
+//
+// Stable step: a bend of stiffness B over elements a and b adds B/l |v_i| sum_j |v_j| to node i's row sum, v = (1/a,
+// -(1/a + 1/b), 1/b): 16 B/L^3 in an even lattice, 1e-4 of a PW yarn's 4 E A/L.
+#pragma once
+
+#include <memory>
+
+#include "solver/bending/bends.hpp"
+#include "solver/bending/flexure.hpp"
+#include "solver/lattice/packed.hpp"
+#include "solver/motion/force_term.hpp"
+
+namespace weaveform {
+
+class LatticeBending : public ForceTerm {
+public:
+  // `held`: as for find_bends. `state` must outlive the term. Throws InputError when a moment law has more pieces or a
+  // higher degree than the inner loop takes.
+  LatticeBending(const Mesh& mesh, const PackedMesh& packed, const Flexure& flexure, const std::vector<char>& held,
+                 const State& state, int threads);
+  ~LatticeBending() override;
+  [[nodiscard]] std::string name() const override { return "bending"; }
+  void add_forces(State& state, double step) override;
+  [[nodiscard]] double stored_energy() const override;
+  void add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const override;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace weaveform

@@ -1,0 +1,80 @@
+#include "solver/bending/shell_energy.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace weaveform {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d vector(const Vec3& a) {
+  return {a[0], a[1], a[2]};
+}
+
+// Curvature (1/mm) and transverse shear angle of an edge.
+std::array<double, 2> strains(int a, int b, double rest_length, const std::vector<Vec3>& position,
+                              const std::vector<Vec3>& director) {
+  const Vector3d t = (vector(position[b]) - vector(position[a])).normalized();
+  const double turn = t.dot(vector(director[b]) - vector(director[a]));
+  const double u = turn * turn;
+  const double curvature = turn * std::sqrt(1.0 + u / 12 + u * u / 90 + u * u * u / 560) / rest_length;
+  return {curvature, 0.5 * t.dot(vector(director[b]) + vector(director[a]))};
+}
+
+}  // namespace
+
+std::vector<ShellEdge> find_shell_edges(const Mesh& mesh, const Card& card, double transverse_shear) {
+  std::vector<char> free_end(mesh.node_count(), 0);
+  for (const auto& tie : mesh.tie) free_end[tie.node] = tie.share < 0.0 ? 1 : 0;
+  std::vector<ShellEdge> edges;
+  for (int e = 0; e < mesh.yarn_count(); ++e) {
+    const auto node = mesh.yarns.node[e];
+    if (free_end[node[0]] != 0 || free_end[node[1]] != 0) continue;
+    const int f = mesh.yarns.family[e] == Family::warp ? 0 : 1;
+    const double width = mesh.yarns.yarns[e] * card.yarn[f].interval;
+    edges.push_back({node, f, mesh.yarns.yarns[e], mesh.yarns.rest_length[e],
+                     transverse_shear * width * mesh.yarns.rest_length[e]});
+  }
+  return edges;
+}
+
+double shell_energy(const std::vector<ShellEdge>& edges, const std::vector<TwistCell>& cells, const Flexure& flexure,
+                    const std::array<double, 2>& spacing, const std::vector<Vec3>& position,
+                    const std::vector<Vec3>& director) {
+  double energy = 0.0;
+  for (const auto& edge : edges) {
+    const auto [curvature, shear] = strains(edge.node[0], edge.node[1], edge.rest_length, position, director);
+    energy += edge.yarns * edge.rest_length * flexure.shell[edge.family].energy(std::abs(curvature)) +
+              0.5 * edge.shear_stiffness * shear * shear;
+  }
+  for (const auto& cell : cells) {
+    const auto gradient = [&](const std::vector<Vec3>& field, int along) {
+      const Vector3d f00 = vector(field[cell.node[0]]), f10 = vector(field[cell.node[1]]),
+                     f11 = vector(field[cell.node[2]]), f01 = vector(field[cell.node[3]]);
+      return Vector3d(0.5 * (along == 0 ? f10 - f00 + f11 - f01 : f01 - f00 + f11 - f10) / spacing[along]);
+    };
+    const double twist =
+        gradient(position, 0).dot(gradient(director, 1)) + gradient(position, 1).dot(gradient(director, 0));
+    energy += 0.5 * flexure.twist * cell.area * twist * twist;
+  }
+  return energy;
+}
+
+double shell_hourglass_energy(const std::vector<TwistCell>& cells, const Flexure& flexure, const Card& card,
+                              const std::array<double, 2>& spacing, const std::vector<Vec3>& position,
+                              const std::vector<Vec3>& director) {
+  double energy = 0.0;
+  for (const auto& cell : cells)
+    for (int f = 0; f < 2; ++f) {
+      const auto& n = cell.node;
+      const auto lower = strains(n[0], f == 0 ? n[1] : n[3], spacing[f], position, director);
+      const auto upper = strains(f == 0 ? n[3] : n[1], n[2], spacing[f], position, director);
+      const double curvature = 0.5 * (upper[0] - lower[0]), shear = 0.5 * (upper[1] - lower[1]);
+      energy += cell.area * (flexure.shell[f].energy(std::abs(curvature)) / card.yarn[f].interval +
+                             0.5 * flexure.transverse_shear * shear * shear);
+    }
+  return energy;
+}
+
+}  // namespace weaveform
