@@ -158,16 +158,6 @@ TEST(Symmetry, BiasExtensionsPulledAtOneOrBothEndsAgree) {
   }
 }
 
-TEST(Symmetry, AQuarterGivesTheSameBitsForAnyNumberOfThreads) {
-  Scene scene = drawing();
-  scene.tools[2].travel = 6.0;
-  scene.analysis.loading_speed = 3000.0;
-  const SolveResult one = run(scene, 1), two = run(scene, 2);
-  EXPECT_EQ(one.statistics.symmetry, "quarter");
-  EXPECT_EQ(one.position, two.position);
-  EXPECT_EQ(one.history.row, two.history.row);
-}
-
 TEST(Symmetry, MessagesCallNodesByTheirNumberInTheWhole) {
   Scene scene = drawing();
   scene.tools[2].position = {{0.0, 0.0, 19.0}};
