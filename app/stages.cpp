@@ -13,6 +13,7 @@
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/symmetry/find_symmetry.hpp"
 #include "post/post.hpp"
 
 namespace weaveform {
@@ -24,6 +25,7 @@ Model build_model(const fs::path& scene_file, const std::vector<std::string>& ov
   model.scene = read_scene(scene_file, overrides);
   model.card = load_card(model.scene.fabric.material, model.scene.file);
   model.mesh = build_mesh(model.scene, model.card);
+  (void)find_symmetry(model.scene, model.card, model.mesh);  // complains of one that is asked for in vain
   return model;
 }
 
@@ -71,6 +73,7 @@ void solve_folder(const fs::path& directory, const SolveOptions& options) {
   const Scene scene = read_scene(directory / "scene.toml");
   const Card card = load_card(scene.fabric.material, scene.file);
   const Mesh mesh = read_mesh(directory / "mesh.vtu");
+  if (!options.quiet) log_line(describe(find_symmetry(scene, card, mesh)));
   if (!options.resume) remove_results(directory);
   solve(mesh, scene, card, directory, options);
 }

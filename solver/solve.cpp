@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "mesher/symmetry/cut_part.hpp"
+#include "solver/bending/flexure.hpp"
 #include "solver/motion/analysis.hpp"
 
 namespace weaveform {
@@ -27,7 +30,7 @@ void compare_with_clean_run(const Mesh& mesh, const Scene& scene, const Card& ca
   SolveOptions quiet = options;
   quiet.quiet = true;
   quiet.resume = false;
-  const SolveResult reference = Analysis(mesh, clean, card, {}, quiet).run();
+  const SolveResult reference = Analysis(mesh, nullptr, clean, card, {}, quiet).run();
   auto& s = result.statistics;
   s.perturbation_distance_mm = farthest(result.position, reference.position);
   s.perturbation_returned = s.folded_cells_at_end == reference.statistics.folded_cells_at_end &&
@@ -38,7 +41,10 @@ void compare_with_clean_run(const Mesh& mesh, const Scene& scene, const Card& ca
 
 SolveResult solve(const Mesh& mesh, const Scene& scene, const Card& card, const std::filesystem::path& directory,
                   const SolveOptions& options) {
-  SolveResult result = Analysis(mesh, scene, card, directory, options).run();
+  std::optional<SymmetricPart> part;
+  if (const Symmetry symmetry = find_symmetry(scene, card, mesh); !symmetry.plane.empty())
+    part = cut_part(mesh, symmetry, choose_flexure(card, scene.model).bends_yarns);
+  SolveResult result = Analysis(mesh, part ? &*part : nullptr, scene, card, directory, options).run();
   if (scene.analysis.perturbation > 0.0) {
     compare_with_clean_run(mesh, scene, card, options, result);
     if (!directory.empty()) write_statistics(result.statistics, directory / "solve.json");

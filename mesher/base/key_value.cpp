@@ -67,6 +67,12 @@ std::optional<double> number_of(const toml::node& node, const KeyRule& rule, con
 
 std::optional<std::string> text_of(const toml::node& node, const KeyRule& rule, const std::string& wanted,
                                    Complaints& complaints) {
+  const auto* flag = node.as_boolean();
+  if (!rule.false_word.empty() && flag != nullptr) {
+    if (!flag->get()) return rule.false_word;
+    complaints.add(node, fmt::format("'{}' is true; it must be {} or false", rule.name, range_words(rule)));
+    return std::nullopt;
+  }
   const auto* text = node.as_string();
   if (text == nullptr) {
     complain_type(node, rule, wanted, complaints);

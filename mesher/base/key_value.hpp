@@ -37,6 +37,7 @@ struct KeyRule {
   std::string unit = {};                  // "" for text and switches, "1" for pure numbers
   Limits limits = {};                     // of each number of the value
   std::vector<std::string> allowed = {};  // of a text or of each text of a list; empty: any
+  std::string false_word = {};            // of a text: the word that a plain false stands for
   bool required = false;
   bool one_for_all = false;  // a single number stands for every number of an array
   bool identifier = false;  // a letter, then letters, digits, '_' or '-' (names become column headings and --set paths)

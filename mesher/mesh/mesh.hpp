@@ -3,9 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "mesher/mesh/symmetry.hpp"
 
 namespace weaveform {
 
@@ -78,6 +81,11 @@ struct Mesh {
   std::array<double, 2> spacing = {0.0, 0.0};  // mm; element length along the warp (i) and along the weft (j)
   std::array<int, 2> lattice_size = {0, 0};    // crossings span 0 <= i < lattice_size[0], 0 <= j < lattice_size[1]
   double thickness = 0.0;                      // mm
+  MeshSymmetry symmetry;                       // of a half or quarter; mesh.vtu always holds the whole
+  // What messages call a node: its number in mesh.vtu.
+  [[nodiscard]] int shown_node(int node) const {
+    return symmetry.whole_node.empty() ? node : symmetry.whole_node[static_cast<std::size_t>(node)];
+  }
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes.mass.size()); }
   [[nodiscard]] int yarn_count() const { return static_cast<int>(yarns.section.size()); }
 };

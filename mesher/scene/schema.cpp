@@ -108,6 +108,14 @@ const std::vector<Key<ModelSpec>> model_keys = {
                                            .unit = "1",
                                            .limits = above(0, 1000),
                                            .doc = "factor on all yarn moduli; below 1 buys a larger step"}),
+    key<&ModelSpec::symmetry>({.name = "symmetry",
+                               .allowed = {"auto", "quarter", "half", "none"},
+                               .false_word = "none",
+                               .doc =
+                                   "`auto`: where blank, fabric, tools and loads are mirrored onto themselves by the "
+                                   "planes x = 0 and y = 0 of the blank, a half or a quarter is solved; all results "
+                                   "are those of the whole. `half`, `quarter`: an error where that cannot be. `none` "
+                                   "or false: the whole blank is solved"}),
     key<&ModelSpec::yarn_bending>({.name = "yarn_bending",
                                    .unit = "N mm^2",
                                    .limits = at_least(0),

@@ -39,6 +39,9 @@ std::string run_lines(const SolveStatistics& s) {
       "run     {} cells, {} yarn elements, {} nodes; {} steps in {:.3g} s on {} thread{} ({:.3g} million "
       "cell-steps/s)\n",
       s.cells, s.yarns, s.nodes, s.steps, s.wall_s, s.threads, s.threads == 1 ? "" : "s", 1e-6 * s.cell_steps_per_s);
+  if (s.symmetry != "none")
+    text += fmt::format("        a {} was solved by symmetry, {} cells; forces and energies are those of the whole\n",
+                        s.symmetry, s.cells_solved);
   text += fmt::format("step    {:.3g} s at least, set by {}; {:.4g} s in all; damping {:.3g} /s\n", s.step_s,
                       s.step_set_by.empty() ? "the user" : s.step_set_by, s.duration_s, s.damping_per_s);
   text += fmt::format("trust   energy error {}, kinetic/internal {}, damping work {:.3g} mJ\n", percent(s.energy_error),

@@ -14,6 +14,7 @@ Neighbours neighbours(const Mesh& mesh, Family family) {
   Neighbours at{std::vector<int>(mesh.node_count(), -1), std::vector<int>(mesh.node_count(), -1)};
   std::vector<char> free_end(mesh.node_count(), 0);
   for (const auto& tie : mesh.tie) free_end[tie.node] = tie.share < 0.0 ? 1 : 0;
+  for (const auto& image : mesh.symmetry.image) free_end[image.node] = free_end[image.of];
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto [a, b] = mesh.yarns.node[e];
     if (mesh.yarns.family[e] != family || free_end[a] != 0 || free_end[b] != 0) continue;
@@ -56,7 +57,9 @@ YarnBend clamped_bend(const Mesh& mesh, int node, int element, bool leaves) {
 std::vector<Bend> find_bends(const Mesh& mesh, const std::vector<char>& held) {
   const std::array<Neighbours, 2> at = {neighbours(mesh, Family::warp), neighbours(mesh, Family::weft)};
   std::vector<Bend> bends;
+  const std::vector<double> share = node_share(mesh.symmetry, mesh.node_count());
   for (int n = 0; n < mesh.node_count(); ++n) {
+    if (share[n] == 0.0) continue;  // beyond a mirror plane
     if (held[n] == 0) {
       const Bend bend{
           n,
@@ -77,6 +80,8 @@ std::vector<Bend> find_bends(const Mesh& mesh, const std::vector<char>& held) {
         bends.push_back(bend);
       }
   }
+  for (auto& bend : bends)
+    for (auto& yarn : bend.yarn) yarn.yarns *= share[bend.node];
   return bends;
 }
 

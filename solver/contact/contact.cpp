@@ -26,7 +26,32 @@ Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
     for (int a = begin; a < end; ++a)
       area[packed.packed_of_mesh[mesh.cells.node[a]]] += mesh.cells.area[c] / (end - begin);
   }
+  const auto take_images = [&] {  // beyond a mirror plane
+    for (const auto& image : mesh.symmetry.image) {
+      double& there = area[packed.packed_of_mesh[image.node]];
+      area[packed.packed_of_mesh[image.of]] += there;
+      there = 0.0;
+    }
+  };
+  take_images();
+  for (const auto& tie : mesh.tie) {  // a node that follows others touches through them, as it has its mass in them
+    double& there = area[packed.packed_of_mesh[tie.node]];
+    const double share = std::max(tie.share, 0.0);
+    area[packed.packed_of_mesh[tie.to[0]]] += (1.0 - share) * there;
+    area[packed.packed_of_mesh[tie.to[1]]] += share * there;
+    there = 0.0;
+  }
+  take_images();
   return area;
+}
+
+// Along the mirror planes that mirror a resting tool onto itself: the force across them is zero.
+Vec3 along_planes(Vec3 direction, const MeshSymmetry& symmetry) {
+  for (const auto& plane : symmetry.plane) {
+    const double across = dot(direction, plane.normal);
+    for (int c = 0; c < 3; ++c) direction[c] -= across * plane.normal[c];
+  }
+  return direction;
 }
 
 }  // namespace
@@ -49,18 +74,26 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
       least_spacing_(std::min(mesh.spacing[0], mesh.spacing[1])),
       frequency_(std::sqrt(contact_stiffness_share) * 2.0 / fabric_step),
       fabric_frequency_(2.0 / fabric_step),
+      parts_(mesh.symmetry.parts()),
       mass_(packed.nodes, 0.0),
       area_(node_areas(mesh, packed)),
       mesh_of_packed_(packed.nodes, -1) {
   for (int n = 0; n < mesh.node_count(); ++n) {
     const int p = packed.packed_of_mesh[n];
     mass_[p] = packed.mass[p];
-    mesh_of_packed_[p] = n;
+    mesh_of_packed_[p] = mesh.shown_node(n);
     blank_mass_ += packed.mass[p];
   }
   const auto tools = make_tools(scene, mesh.thickness);
-  for (std::size_t t = 0; t < tools.size(); ++t)
-    partners_.push_back(make_partner(tools[t], scene.tools[t], duration, start));
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    Tool tool = tools[t];
+    ToolSpec spec = scene.tools[t];
+    // a half or quarter of the fabric meets a half or quarter of the tool
+    if (spec.force) *spec.force /= parts_;
+    if (spec.mass) *spec.mass /= parts_;
+    if (spec.travel == 0.0 && !spec.force) tool.direction = along_planes(tool.direction, mesh.symmetry);
+    partners_.push_back(make_partner(tool, spec, duration, start));
+  }
   refuse_penetration(start);
 }
 
@@ -74,7 +107,7 @@ Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, d
     throw InputError(
         fmt::format("[tools.{}] mass {:.4g} tonne is too light for the stable step; give {:.4g} or more (the blank has "
                     "{:.4g})",
-                    spec.name, mass, least_mass, blank_mass_));
+                    spec.name, parts_ * mass, parts_ * least_mass, parts_ * blank_mass_));
   Partner partner(tool, ToolMotion(spec, duration, mass));
   partner.law = {.offset = tool.offset,
                  .softening = contact_softening * thickness_,
@@ -220,7 +253,7 @@ void Contact::sum_blocks(Partner& partner, double reaction_before) {
 void Contact::read_instruments() {
   readings_.clear();
   for (const auto& partner : partners_)
-    readings_.push_back({partner.motion.displacement(), partner.reaction(), partner.area});
+    readings_.push_back({partner.motion.displacement(), parts_ * partner.reaction(), parts_ * partner.area});
 }
 
 void Contact::check(const Partner& partner, const State& state) const {

@@ -53,7 +53,8 @@ public:
   [[nodiscard]] std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
 
-  // Of each tool in the scene's order, at the time of the last add_forces.
+  // Of each tool in the scene's order, at the time of the last add_forces; of the whole, where the mesh is a half or
+  // quarter of one (everything else is that of the mesh).
   [[nodiscard]] const std::vector<ToolReading>& readings() const { return readings_; }
 
   struct Cost {
@@ -99,6 +100,7 @@ private:
   double frequency_;         // 1/s; omega of the contact
   double fabric_frequency_;  // 1/s; the fabric's greatest
   double blank_mass_ = 0.0;  // tonne
+  int parts_;                // of which this is one: the mesh's symmetry
   Doubles mass_;             // tonne; 0 where no node is
   Doubles area_;             // mm^2; of the fabric around each node
   std::vector<int> mesh_of_packed_;

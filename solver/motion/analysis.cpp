@@ -30,26 +30,31 @@ int choose_threads(int wanted, int cells) {
 
 }  // namespace
 
-Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory,
-                   const SolveOptions& options)
-    : mesh_(mesh),
+Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& scene, const Card& card,
+                   std::filesystem::path directory, const SolveOptions& options)
+    : whole_(whole),
+      part_(part),
+      mesh_(part != nullptr ? part->mesh : whole),
+      parts_(mesh_.symmetry.parts()),
       scene_(scene),
       card_(card),
       directory_(std::move(directory)),
       options_(options),
-      threads_(choose_threads(options.threads, mesh.cells.size())),
+      threads_(choose_threads(options.threads, mesh_.cells.size())),
       yarn_laws_(yarn_laws(card, scene.model)),
-      packed_(pack_mesh(mesh)),
-      ties_(mesh.tie.empty() || (scene.frame && scene.frame->rigid) ? nullptr : std::make_unique<Ties>(mesh, packed_)),
-      state_(initial_state(packed_, mesh)),
-      grips_(make_grips(scene, mesh, packed_)),
+      packed_(pack_mesh(mesh_)),
+      ties_(mesh_.tie.empty() || (scene.frame && scene.frame->rigid) ? nullptr
+                                                                     : std::make_unique<Ties>(mesh_, packed_)),
+      mirrors_(part != nullptr ? std::make_unique<MirrorPlanes>(mesh_, packed_) : nullptr),
+      state_(initial_state(packed_, mesh_)),
+      grips_(make_grips(scene, mesh_, packed_)),
       forces_(packed_, card, yarn_laws_, scene.model, state_, threads_),
-      critical_step_(mesh, card, yarn_laws_, scene.model, held_nodes(grips_, mesh, packed_)),
-      internal_energy_(mesh, card, yarn_laws_, scene.model),
+      critical_step_(mesh_, card, yarn_laws_, scene.model, held_nodes(grips_, mesh_, packed_)),
+      internal_energy_(mesh_, card, yarn_laws_, scene.model),
       loading_(choose_loading(scene, card)),
       duration_(loading_.duration),
       motion_(packed_, loading_.damping, threads_),
-      recorder_(grips_, make_probes(scene, mesh), duration_, scene.output.history),
+      recorder_(grips_, make_probes(scene, whole_), duration_, scene.output.history),
       row_schedule_(duration_, scene.output.history),
       frame_schedule_(duration_, scene.output.frames),
       progress_("solve", options.quiet),
@@ -59,10 +64,41 @@ Analysis::Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::
       grip_force_before_(grips_.size(), 0.0),
       grip_displacement_before_(grips_.size(), 0.0),
       started_(std::chrono::steady_clock::now()) {
-  if (scene.frame && !scene.frame->rigid) terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh, packed_));
+  if (scene.frame && !scene.frame->rigid)
+    terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh_, packed_));
   if (scene.frame)
     recorder_.evaluate_frame({scene.frame->length, scene.blank.size[0]}, static_cast<int>(grips_.size()) - 1);
+  find_grip_images();
   add_terms();
+}
+
+// Grips are node sets of their names; a grip at rest that is mirrored onto itself feels no force across the plane.
+void Analysis::find_grip_images() {
+  const auto set_of = [&](const Grip& grip) {
+    return std::find_if(mesh_.sets.begin(), mesh_.sets.end(), [&](const NodeSet& s) { return s.name == grip.name; }) -
+           mesh_.sets.begin();
+  };
+  for (std::size_t k = 0; k < mesh_.symmetry.plane.size(); ++k) {
+    std::vector<int>& image = grip_image_.emplace_back();
+    for (auto& grip : grips_) {
+      const std::string& name = mesh_.sets[mesh_.symmetry.set_image[k][set_of(grip)]].name;
+      const auto found = std::find_if(grips_.begin(), grips_.end(), [&](const Grip& g) { return g.name == name; });
+      image.push_back(static_cast<int>(found - grips_.begin()));
+      if (found->name != grip.name || grip.travel != 0.0) continue;
+      const auto turned = mirrored_vector(grip.direction, mesh_.symmetry.plane[k]);
+      for (int c = 0; c < 3; ++c) grip.direction[c] = 0.5 * (grip.direction[c] + turned[c]);
+    }
+  }
+}
+
+// A grip of the whole is held by its own nodes and by those of its images, each over its part of the fabric.
+const std::vector<double>& Analysis::whole_grip_forces() {
+  whole_grip_force_ = grip_force_;
+  for (const auto& image : grip_image_) {
+    one_side_ = whole_grip_force_;
+    for (std::size_t g = 0; g < one_side_.size(); ++g) whole_grip_force_[g] += one_side_[image[g]];
+  }
+  return whole_grip_force_;
 }
 
 void Analysis::add_terms() {
@@ -97,7 +133,7 @@ SolveResult Analysis::run() {
   else
     perturb();
   if (!directory_.empty())
-    frames_ = std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0);
+    frames_ = std::make_unique<FrameWriter>(directory_, whole_, options_.resume ? frame_schedule_.index() : 0);
   if (!options_.resume) renew_step();
   if (options_.resume)
     recompute_fabric_forces();
@@ -147,7 +183,17 @@ void Analysis::renew_step() {
 void Analysis::compute_forces() {
   forces_.compute(state_);
   for (const auto& term : terms_) term->add_forces(state_, step_);
+  if (mirrors_) mirrors_->give_forces(state_);
   if (ties_) ties_->give_forces(state_);
+  if (!mirrors_) return;
+  if (ties_) mirrors_->give_forces(state_);
+  mirrors_->hold(state_);
+}
+
+void Analysis::follow() {
+  if (mirrors_) mirrors_->follow(state_);
+  if (ties_) ties_->follow(state_);
+  if (mirrors_ && ties_) mirrors_->follow(state_);
 }
 
 // After a checkpoint: the terms have moved on to this time already, and the whole force is that of the checkpoint.
@@ -160,7 +206,7 @@ void Analysis::recompute_fabric_forces() {
 double Analysis::stored_energy(const std::vector<Vec3>& position) {
   double energy = internal_energy_(position, forces_.cell_work());
   for (const auto& term : terms_) energy += term->stored_energy();
-  return energy;
+  return parts_ * energy;
 }
 
 // Everything but the internal energy, which only output times need.
@@ -173,6 +219,7 @@ void Analysis::close_balance(double kinetic) {
     balance_.external += term->external_work();
     balance_.damping += term->dissipated();
   }
+  for (double* energy : {&balance_.kinetic, &balance_.external, &balance_.damping}) *energy *= parts_;
 }
 
 void Analysis::set_viscous_time(double beta) {
@@ -186,16 +233,18 @@ void Analysis::open_outputs() {
   const bool row_due = row_schedule_.due(time), frame_due = frame_schedule_.due(time);
   for (std::size_t g = 0; g < grips_.size(); ++g) displacement_[g] = grips_[g].travel * smooth_step(time / duration_);
   if (!row_due && !frame_due) return;
-  fields_ = compute_fields(mesh_, card_, scene_.model, time, mesh_positions(packed_, state_));
+  const auto position = mesh_positions(packed_, state_);
+  fields_ =
+      compute_fields(whole_, card_, scene_.model, time, part_ != nullptr ? unfold(*part_, whole_, position) : position);
   if (frame_due) {
     if (frames_) frames_->write(fields_);
     frame_schedule_.advance(time);
   }
   if (row_due) {
-    balance_.internal = stored_energy(fields_.position);
-    balance_.bending =
-        (bending_ != nullptr ? bending_->stored_energy() : 0.0) + (shell_ != nullptr ? shell_->stored_energy() : 0.0);
-    balance_.hourglass = shell_ != nullptr ? shell_->hourglass_energy() : 0.0;
+    balance_.internal = stored_energy(position);
+    balance_.bending = parts_ * ((bending_ != nullptr ? bending_->stored_energy() : 0.0) +
+                                 (shell_ != nullptr ? shell_->stored_energy() : 0.0));
+    balance_.hourglass = shell_ != nullptr ? parts_ * shell_->hourglass_energy() : 0.0;
     folded_ = std::max(folded_, static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true)));
     row_schedule_.advance(time);
     row_open_ = true;
@@ -209,7 +258,7 @@ void Analysis::move(bool last) {
   // the last step only tells the velocities and reactions at the end; its motion is taken back
   const Components end_position = last ? state_.position : Components{};
   const auto& outcome = motion_.advance(state_, grips_, displacement_, displacement_next_, step_before_, step);
-  if (ties_) ties_->follow(state_);
+  follow();
   if (last) state_.position = end_position;
 
   for (std::size_t g = 0; g < grips_.size(); ++g) {
@@ -222,7 +271,7 @@ void Analysis::move(bool last) {
   damping_work_ += 0.5 * (damping_power_before_ + damping_power) * step_before_;
   damping_power_before_ = damping_power;
   close_balance(outcome.kinetic);
-  recorder_.add_forces(state_.time, outcome.kick, grip_force_, tool_readings());
+  recorder_.add_forces(state_.time, outcome.kick, whole_grip_forces(), tool_readings());
   if (last) return;
   state_.time = state_.time + step >= duration_ ? duration_ : state_.time + step;
   ++state_.step;
@@ -267,8 +316,8 @@ void Analysis::check_state() {
   for (int n = 0; n < mesh_.node_count(); ++n) {
     const int p = packed_.packed_of_mesh[n];
     if (!std::isfinite(state_.position[0][p] + state_.position[1][p] + state_.position[2][p]))
-      fail(fmt::format("the position of node {} is not a number; lower analysis.step_factor (now {})", n,
-                       scene_.analysis.step_factor));
+      fail(fmt::format("the position of node {} is not a number; lower analysis.step_factor (now {})",
+                       mesh_.shown_node(n), scene_.analysis.step_factor));
   }
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     double square = 0.0;
@@ -282,10 +331,10 @@ void Analysis::check_state() {
     // a perturbed start may stretch yarns by its own size
     if (strain > torn_strain + std::log1p(2.0 * std::numbers::sqrt2 * scene_.analysis.perturbation / rest))
       fail(fmt::format(
-          "{} yarn element {} (nodes {}, {}) is stretched to a true strain of {:.3g}: the analysis is unstable "
-          "(lower analysis.step_factor, now {}) or the scene tears the fabric",
-          mesh_.yarns.family[e] == Family::warp ? "warp" : "weft", e, mesh_.yarns.node[e][0], mesh_.yarns.node[e][1],
-          strain, scene_.analysis.step_factor));
+          "the {} yarn element between nodes {} and {} is stretched to a true strain of {:.3g}: the analysis is "
+          "unstable (lower analysis.step_factor, now {}) or the scene tears the fabric",
+          mesh_.yarns.family[e] == Family::warp ? "warp" : "weft", mesh_.shown_node(mesh_.yarns.node[e][0]),
+          mesh_.shown_node(mesh_.yarns.node[e][1]), strain, scene_.analysis.step_factor));
   }
 }
 
@@ -397,13 +446,15 @@ SolveResult Analysis::result() {
   result.history = recorder_.history();
   result.position = fields_.position;
   auto& s = result.statistics;
-  s.cells = mesh_.cells.size();
-  s.nodes = mesh_.node_count();
-  s.yarns = mesh_.yarn_count();
+  s.cells = whole_.cells.size();
+  s.nodes = whole_.node_count();
+  s.yarns = whole_.yarn_count();
+  s.symmetry = parts_ == 4 ? "quarter" : parts_ == 2 ? "half" : "none";
+  s.cells_solved = mesh_.cells.size();
   s.steps = state_.step;
   s.duration_s = duration_;
   s.wall_s = wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-  s.cell_steps_per_s = static_cast<double>(s.steps) * s.cells / s.wall_s;
+  s.cell_steps_per_s = static_cast<double>(s.steps) * s.cells_solved / s.wall_s;
   s.step_s = smallest_step_;
   s.step_set_by = step_set_by_;
   s.damping_per_s = loading_.damping;
@@ -425,8 +476,8 @@ SolveResult Analysis::result() {
   if (contact_ != nullptr) {
     const Contact::Cost cost = contact_->cost();
     s.contact_penetration = cost.penetration;
-    s.friction_work_mJ = cost.friction_work;
-    s.contact_damping_work_mJ = cost.damping_work;
+    s.friction_work_mJ = parts_ * cost.friction_work;
+    s.contact_damping_work_mJ = parts_ * cost.damping_work;
     s.contact_wall_s = cost.wall_s;
   }
   if (scene_.frame && !scene_.frame->rigid) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesher/base/progress.hpp"
+#include "mesher/symmetry/cut_part.hpp"
 #include "solver/bending/lattice_bending.hpp"
 #include "solver/bending/shell.hpp"
 #include "solver/contact/contact.hpp"
@@ -16,6 +17,7 @@
 #include "solver/motion/force_term.hpp"
 #include "solver/motion/grips.hpp"
 #include "solver/motion/loading.hpp"
+#include "solver/motion/mirror_planes.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/motion/picture_frame.hpp"
 #include "solver/motion/recorder.hpp"
@@ -27,14 +29,16 @@ namespace weaveform {
 
 class Analysis {
 public:
-  Analysis(const Mesh& mesh, const Scene& scene, const Card& card, std::filesystem::path directory,
-           const SolveOptions& options);
+  // `part` of the whole mesh is solved when given; results are those of the whole all the same.
+  Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& scene, const Card& card,
+           std::filesystem::path directory, const SolveOptions& options);
   SolveResult run();
 
 private:
   // The loop, in the order of the theory: step length, outputs due, motion, forces.
   void renew_step();
   void compute_forces();
+  void follow();
   void recompute_fabric_forces();
   [[nodiscard]] double stored_energy(const std::vector<Vec3>& position);
   void close_balance(double kinetic);
@@ -44,6 +48,8 @@ private:
   void move(bool last);
   void check_state();
   [[nodiscard]] const std::vector<ToolReading>& tool_readings() const;
+  void find_grip_images();
+  [[nodiscard]] const std::vector<double>& whole_grip_forces();
   [[nodiscard]] double travelled() const;
   [[nodiscard]] bool finished() const { return state_.time >= duration_ * (1.0 - 1e-12); }
 
@@ -56,7 +62,10 @@ private:
   [[nodiscard]] SolveResult result();
   [[noreturn]] void fail(const std::string& what) const;
 
-  const Mesh& mesh_;
+  const Mesh& whole_;
+  const SymmetricPart* part_;  // null when the whole is solved
+  const Mesh& mesh_;           // what is solved
+  const int parts_;            // the whole is this many times what is solved
   const Scene& scene_;
   const Card& card_;
   std::filesystem::path directory_;
@@ -65,7 +74,8 @@ private:
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;
-  std::unique_ptr<Ties> ties_;  // null when no node follows others, or a rigid frame moves them all
+  std::unique_ptr<Ties> ties_;             // null when no node follows others, or a rigid frame moves them all
+  std::unique_ptr<MirrorPlanes> mirrors_;  // null when the whole is solved
   State state_;
   std::vector<Grip> grips_;
   FabricForces forces_;
@@ -83,8 +93,9 @@ private:
   std::unique_ptr<FrameWriter> frames_;
   Progress progress_;
 
-  EnergyBalance balance_;
-  double grip_work_ = 0.0, damping_work_ = 0.0;  // mJ
+  std::vector<std::vector<int>> grip_image_;     // per mirror plane: the grip that each is mirrored onto
+  EnergyBalance balance_;                        // of the whole
+  double grip_work_ = 0.0, damping_work_ = 0.0;  // mJ; of what is solved
   StableStep stable_;
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
   double viscous_time_ = 0.0;                                    // s; beta of yarn.hpp
@@ -93,6 +104,7 @@ private:
   Fields fields_;                                         // of the open row or frame
   std::vector<double> displacement_, displacement_next_;  // mm; per grip
   std::vector<double> grip_force_, grip_force_before_;    // N; per grip, along its direction
+  std::vector<double> whole_grip_force_, one_side_;       // N; the same of the whole, and on the way there
   std::vector<double> grip_displacement_before_;          // mm; at the step before
   double damping_power_before_ = 0.0;                     // mJ/s
   double worst_error_ = 0.0, worst_ratio_ = 0.0;

@@ -43,6 +43,16 @@ double greatest_eigenvalue(const Matrix3d& matrix) {
   return solver.eigenvalues()(2);
 }
 
+Matrix3d reflection(const MeshSymmetry& symmetry, unsigned planes) {
+  Matrix3d matrix = Matrix3d::Identity();
+  for (std::size_t k = 0; k < symmetry.plane.size(); ++k) {
+    if ((planes >> k & 1U) == 0) continue;
+    const Vector3d normal = vector(symmetry.plane[k].normal);
+    matrix -= 2.0 * normal * (normal.transpose() * matrix);
+  }
+  return matrix;
+}
+
 }  // namespace
 
 CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
@@ -53,6 +63,7 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
       held_(std::move(held)),
       tied_(mesh.node_count(), 0) {
   for (const auto& tie : mesh.tie) tied_[tie.node] = 1;
+  for (const auto& image : mesh.symmetry.image) tied_[image.node] = 1;
   for (int f = 0; f < 2; ++f)
     stiffest_[f] = std::max(yarn_laws[f].stiffest(0.0, greatest_strain),
                             stiffest_compressed(yarn_laws[f], model.section == "constant"));
@@ -61,7 +72,29 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
                          mesh.yarns.softening[e] / (mesh.yarns.rest_length[e] + mesh.yarns.jaw[e]);
 }
 
-StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std::vector<double>& further) const {
+// An image's rows are those of its node, mirrored.
+void CriticalStep::move_images(std::vector<Matrix3d>& bound, std::vector<double>& cell_rows) const {
+  for (const auto& image : mesh_.symmetry.image) {
+    const Matrix3d mirror = reflection(mesh_.symmetry, image.planes);
+    bound[image.of] += mirror * bound[image.node] * mirror;
+    cell_rows[image.of] += cell_rows[image.node];
+    bound[image.node].setZero();
+    cell_rows[image.node] = 0.0;
+  }
+}
+
+// A node in a plane has half its mass and half of what is stiff there; the other half is the mirror image. With both
+// the bound is that of the whole mesh, to rounding.
+void CriticalStep::add_other_sides(std::vector<Matrix3d>& bound) const {
+  for (std::size_t k = 0; k < mesh_.symmetry.plane.size(); ++k) {
+    const Matrix3d mirror = reflection(mesh_.symmetry, 1U << k);
+    for (const int n : mesh_.symmetry.on_plane[k]) bound[n] = 0.5 * (bound[n] + mirror * bound[n] * mirror);
+  }
+}
+
+StableStep CriticalStep::operator()(const std::vector<Vec3>& position, std::vector<double> further) const {
+  if (!further.empty())
+    for (const auto& image : mesh_.symmetry.image) further[image.of] += further[image.node];
   std::vector<Matrix3d> bound(mesh_.node_count(), Matrix3d::Zero());
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     const auto [a, b] = mesh_.yarns.node[e];
@@ -96,6 +129,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
           factor * sum *
           (std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2);
   }
+  move_images(bound, cell_rows);
   for (const auto& tie : mesh_.tie) {
     const TieWeights weight = tie_weights(tie.share);
     bound[tie.to[0]] += weight.first * bound[tie.node];
@@ -103,6 +137,8 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
     cell_rows[tie.to[0]] += weight.first * cell_rows[tie.node];
     cell_rows[tie.to[1]] += weight.second * cell_rows[tie.node];
   }
+  move_images(bound, cell_rows);
+  add_other_sides(bound);
   double greatest = 0.0;
   int at = -1;
   for (int n = 0; n < mesh_.node_count(); ++n) {
@@ -117,7 +153,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
   if (at < 0) return {step, "nothing"};
   const double half = 0.5 * greatest * mesh_.nodes.mass[at];
   const char* part = further_at(at) > half ? "bending and contact" : cell_rows[at] > half ? "shear cells" : "yarns";
-  return {step, std::string(part) + " at node " + std::to_string(at)};
+  return {step, std::string(part) + " at node " + std::to_string(mesh_.shown_node(at))};
 }
 
 }  // namespace weaveform

@@ -9,6 +9,7 @@
 // N/L.
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,12 @@ public:
   // MPa; the stiffest tangent of each family's yarns, stretched or compressed up to a true strain of 0.5
   [[nodiscard]] const std::array<double, 2>& stiffest() const { return stiffest_; }
   // `further`: per mesh node, row sums of everything else that is stiff there (N/mm); may be empty.
-  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::vector<double>& further = {}) const;
+  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, std::vector<double> further = {}) const;
 
 private:
+  void move_images(std::vector<Eigen::Matrix3d>& bound, std::vector<double>& cell_rows) const;
+  void add_other_sides(std::vector<Eigen::Matrix3d>& bound) const;
+
   const Mesh& mesh_;
   ShearCard shear_;
   std::array<double, 2> stiffest_{};

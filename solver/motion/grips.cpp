@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/scene/grip_direction.hpp"
 
 namespace weaveform {
 namespace {
@@ -17,18 +18,6 @@ Vec3 turned(const Vec3& a, double degrees) {
   const double angle = degrees * std::numbers::pi / 180.0;
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * a[0] - s * a[1], s * a[0] + c * a[1], a[2]};
-}
-
-// Along the outward normal of the grip's edge unless the scene says otherwise.
-Vec3 pull_direction(const GripSpec& spec) {
-  Vec3 direction = {0.0, 1.0, 0.0};
-  if (spec.edge == "bottom") direction = {0.0, -1.0, 0.0};
-  if (spec.edge == "left") direction = {-1.0, 0.0, 0.0};
-  if (spec.edge == "right") direction = {1.0, 0.0, 0.0};
-  if (spec.direction) direction = *spec.direction;
-  const double length = std::sqrt(dot(direction, direction));
-  for (auto& component : direction) component /= length;
-  return direction;
 }
 
 }  // namespace
@@ -54,7 +43,7 @@ std::vector<Grip> make_grips(const Scene& scene, const Mesh& mesh, const PackedM
     Grip grip;
     grip.name = spec.name;
     grip.travel = spec.travel;
-    grip.direction = turned(pull_direction(spec), scene.blank.orientation);
+    grip.direction = turned(grip_direction(spec), scene.blank.orientation);
     for (int c = 0; c < 3; ++c) {
       const std::string component(1, "xyz"[c]);
       if (std::find(spec.free.begin(), spec.free.end(), component) != spec.free.end()) continue;
@@ -78,6 +67,7 @@ std::vector<char> held_nodes(const std::vector<Grip>& grips, const Mesh& mesh, c
     if (grip.holds_all())
       for (const int n : grip.node) packed_held[n] = 1;
   for (int n = 0; n < mesh.node_count(); ++n) held[n] = packed_held[packed.packed_of_mesh[n]];
+  for (const auto& image : mesh.symmetry.image) held[image.node] = held[image.of];
   return held;
 }
 

@@ -24,11 +24,13 @@ struct History {
 };
 
 struct SolveStatistics {
-  int cells = 0, nodes = 0, yarns = 0;
+  int cells = 0, nodes = 0, yarns = 0;  // of the whole blank, as in mesh.vtu
+  std::string symmetry = "none";        // "quarter", "half", or "none": the whole is solved
+  int cells_solved = 0;                 // the cells of that quarter or half, those cut by a mirror plane included
   long steps = 0;
   double duration_s = 0.0;
-  double wall_s = 0.0;  // of the time loop
-  double cell_steps_per_s = 0.0;
+  double wall_s = 0.0;               // of the time loop
+  double cell_steps_per_s = 0.0;     // of the cells solved
   double step_s = 0.0;               // smallest step taken
   std::string step_set_by;           // which part set the step, e.g. "yarn (warp, node 123)"
   double damping_per_s = 0.0;        // mass-proportional damping used

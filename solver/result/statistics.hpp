@@ -11,6 +11,8 @@ void for_each_statistic(Statistics& s, Visit visit) {
   visit("cells", s.cells);
   visit("nodes", s.nodes);
   visit("yarns", s.yarns);
+  visit("symmetry", s.symmetry);
+  visit("cells_solved", s.cells_solved);
   visit("steps", s.steps);
   visit("duration_s", s.duration_s);
   visit("wall_s", s.wall_s);

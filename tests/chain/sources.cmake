@@ -3,4 +3,5 @@ set(CHAIN_SOURCES
   chain/bias_extension_test.cpp
   chain/examples_test.cpp
   chain/stages_test.cpp
+  chain/symmetry_test.cpp
 )

@@ -27,6 +27,23 @@ inline ToolSpec make_tool_spec(const std::string& name, const std::string& shape
   return tool;
 }
 
+// A small deep drawing: sphere of 20 mm through a ring, 8 x 8 cells.
+inline Scene drawing() {
+  Scene scene = contact_scene({120.0, 120.0}, 3.0);
+  ToolSpec binder = make_tool_spec("binder", "ring"), die = make_tool_spec("die", "ring"),
+           punch = make_tool_spec("punch", "sphere");
+  binder.axis = {0.0, 0.0, -1.0};
+  binder.opening_radius = die.opening_radius = 24.0;
+  binder.force = 50.0;
+  die.fillet_radius = 8.0;
+  punch.radius = 20.0;
+  punch.travel = 20.0;
+  scene.analysis.loading_speed = 300.0;  // inertia well below a newton
+  binder.friction = die.friction = punch.friction = 0.3;
+  scene.tools = {binder, die, punch};
+  return scene;
+}
+
 inline SolveResult run(const Scene& scene, int threads = 1) {
   const Card card = load_card(scene.fabric.material);
   return solve(build_mesh(scene, card), scene, card, "", {.threads = threads, .resume = false, .quiet = true});

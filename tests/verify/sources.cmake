@@ -6,6 +6,7 @@ set(VERIFY_SOURCES
   verify/bias_extension_test.cpp
   verify/shear_frame_test.cpp
   verify/seatbelt_test.cpp
+  verify/symmetry_test.cpp
   support/run_command.cpp
   verify/contact_friction_test.cpp
   verify/contact_limits_test.cpp

@@ -10,6 +10,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/polynomial_test.cpp
   unit/mesher/scene_complaint_test.cpp
   unit/mesher/scene_test.cpp
+  unit/mesher/symmetry_test.cpp
   unit/mesher/lattice_cells_test.cpp
   unit/mesher/lattice_fit_test.cpp
   unit/mesher/lattice_grips_test.cpp

@@ -1,0 +1,28 @@
+// How little of a scene has to be solved: the planes x = 0 and y = 0 of the blank's own frame that mirror mesh and
+// loads onto themselves, as far as model.symmetry wants them used.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mesher/symmetry/load_symmetry.hpp"
+
+namespace weaveform {
+
+struct Symmetry {
+  std::vector<SymmetryPlane> plane;        // to be used: none, one (a half) or two (a quarter)
+  std::vector<MirrorMap> map;              // of each
+  std::array<std::string, 2> why;          // per axis x, y: why its plane is not one of the scene; "" when it is
+  std::string asked;                       // model.symmetry
+  [[nodiscard]] std::string word() const;  // "none", "half", "quarter"
+};
+
+// `mesh` is the whole. Throws InputError, with the first thing in the way, when the scene asks for a half or a quarter
+// that it has not got.
+[[nodiscard]] Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh);
+
+// One line for the log: what is solved, and why not less.
+[[nodiscard]] std::string describe(const Symmetry& symmetry);
+
+}  // namespace weaveform
