@@ -26,7 +26,7 @@ struct BendingCase {
   Measured (*run)(Bender, int cells);
 };
 
-// In the order of docs/elements.md.
+// The rows of the table in docs/elements.md.
 [[nodiscard]] const std::vector<BendingCase>& bending_cases();
 
 Measured sag(Bender bender, int cells);             // w L^4/8B (+ w L^2/2G); drop of the tip
@@ -38,6 +38,7 @@ Measured euler_clamped(Bender bender, int cells);        // pi^2 B/4L^2
 Measured full_circle(Bender bender, int cells);          // M = 2 pi B/L; gap over L
 Measured short_thick_strip(Bender bender, int cells);    // P L^3/3D + P L/G
 Measured plate_twist(Bender bender, int cells);          // P a b/4 D_66 (+ 2 P a/(G h)); a square plate
+Measured plate_twist_sheared(Bender bender, int cells);  // the same with the card's G, against P a b/4 D_66
 Measured yielding_strip(Bender bender, int cells);       // heavy, with a law that yields; place of the tip over L
 
 // The heavy strip with a length that is no whole number of cells: `cells` and 0.4 of one more.

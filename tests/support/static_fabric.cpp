@@ -198,33 +198,40 @@ Eigen::SparseMatrix<double> StaticFabric::stiffness(const Load& load) {
   return matrix;
 }
 
+// From soft yarns to their own stiffness: almost inextensible ones leave Newton's steps no room to turn in.
 double StaticFabric::relax(const Load& load) {
-  constexpr int most_iterations = 100, most_halvings = 4;
-  constexpr double longest = 0.25;  // spacings; of one iteration's move, and rad
-  const double farthest = longest * std::min(mesh_.spacing[0], mesh_.spacing[1]);
-  const double at_rest = 1e-8 * mesh_.spacing[0];
-  for (iterations = 1; iterations <= most_iterations; ++iterations) {
+  iterations = 0;
+  for (const double softness : {1e-3, 3e-2}) {
+    soften_yarns(softness);
+    come_to_rest(load, 1e-4);
+  }
+  soften_yarns(1.0);
+  return come_to_rest(load, 1e-8);
+}
+
+void StaticFabric::soften_yarns(double factor) {
+  ModelSpec model = model_;
+  model.yarn_stiffness_scale *= factor;
+  forces_ = std::make_unique<FabricForces>(packed_, card_, yarn_laws(card_, model), model, state_, 1);
+}
+
+// Until a step moves nothing by more than `at_rest` spacings (radians).
+double StaticFabric::come_to_rest(const Load& load, double at_rest) {
+  constexpr int most_iterations = 60;
+  constexpr double longest = 0.25;  // spacings, rad; of one step
+  const double spacing = std::min(mesh_.spacing[0], mesh_.spacing[1]);
+  for (int n = 0; n < most_iterations; ++n) {
+    ++iterations;
     choose_tilts();
-    const Eigen::VectorXd force = unbalanced(load);
     Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(stiffness(load));
     if (solver.info() != Eigen::Success) throw std::runtime_error("StaticFabric: the stiffness is singular");
-    Eigen::VectorXd move = solver.solve(force);
+    const Eigen::VectorXd move = solver.solve(unbalanced(load));
     double greatest = 0.0;
     for (std::size_t k = 0; k < unknown_.size(); ++k)
-      greatest = std::max(greatest, std::abs(move[static_cast<int>(k)]) / (unknown_[k].component < 3 ? farthest : longest));
-    if (greatest > 1.0) move /= greatest;
-    const bool came_to_rest = move.cwiseAbs().maxCoeff() < at_rest;
-    const auto positions = position_;
-    const auto directors = director_;
-    for (int halving = 0;; ++halving) {
-      for (std::size_t k = 0; k < unknown_.size(); ++k) shift(unknown_[k], move[static_cast<int>(k)]);
-      const Eigen::VectorXd left = unbalanced(load);
-      if (came_to_rest) return left.cwiseAbs().maxCoeff();
-      if (left.norm() < force.norm() || halving == most_halvings) break;
-      position_ = positions;
-      director_ = directors;
-      move *= 0.5;
-    }
+      greatest = std::max(greatest, std::abs(move[static_cast<int>(k)]) / (unknown_[k].component < 3 ? spacing : 1.0));
+    const double part = std::min(1.0, longest / greatest);
+    for (std::size_t k = 0; k < unknown_.size(); ++k) shift(unknown_[k], part * move[static_cast<int>(k)]);
+    if (greatest < at_rest) return unbalanced(load).cwiseAbs().maxCoeff();
   }
   throw std::runtime_error("StaticFabric: no equilibrium found");
 }

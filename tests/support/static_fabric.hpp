@@ -68,6 +68,8 @@ private:
   };
   [[nodiscard]] Eigen::VectorXd unbalanced(const Load& load);
   [[nodiscard]] Eigen::SparseMatrix<double> stiffness(const Load& load);
+  void soften_yarns(double factor);
+  double come_to_rest(const Load& load, double at_rest);
   void choose_tilts();
   void shift(const Unknown& unknown, double by);
   void number_unknowns();
