@@ -31,8 +31,8 @@ double slowest_sway(const Scene& scene, const Card& card, double length) {
   const Flexure flexure = choose_flexure(card, scene.model);
   double rigidity = std::numeric_limits<double>::infinity();  // N mm
   for (std::size_t f = 0; f < 2; ++f)
-    rigidity = std::min(rigidity, (flexure.has_shell ? flexure.shell : flexure.out_of_plane)[f].tangent(0.0) /
-                                      card.yarn[f].interval);
+    rigidity = std::min(
+        rigidity, (flexure.has_shell ? flexure.shell : flexure.out_of_plane)[f].tangent(0.0) / card.yarn[f].interval);
   const auto& g = scene.analysis.gravity;
   return std::sqrt(std::max(12.36 * rigidity / (card.area_density() * std::pow(length, 4)),
                             1.446 * std::hypot(g[0], g[1], g[2]) / length));

@@ -395,7 +395,8 @@ Measured yielding_strip(Bender bender, int cells) {
   constexpr double first = 20.0, end = 1.0, joint = 0.04, drop = first - end;  // N mm (N mm^2 of a yarn), 1/mm
   const TangentLaw law({{0.0, joint, {first, -2.0 * drop / joint, drop / (joint * joint)}},
                         {joint, std::numeric_limits<double>::infinity(), {end}}});
-  Cantilever c = bender == Bender::yarn ? yarn_cantilever(cells, law) : strip_cantilever(bender, cells, law, stiff_shear);
+  Cantilever c =
+      bender == Bender::yarn ? yarn_cantilever(cells, law) : strip_cantilever(bender, cells, law, stiff_shear);
   const double scale = c.stiffness / first;
   const auto curvature = [=](double moment) {
     const double m = std::abs(moment) / scale, at_joint = end * joint + drop * joint / 3.0;

@@ -29,9 +29,9 @@ struct BendingCase {
 // The rows of the table in docs/elements.md.
 [[nodiscard]] const std::vector<BendingCase>& bending_cases();
 
-Measured sag(Bender bender, int cells);             // w L^4/8B (+ w L^2/2G); drop of the tip
-Measured heavy_elastica(Bender bender, int cells);  // w L^3/B = 20; place of the tip over L
-Measured peirce_overhang(Bender bender, int cells);  // angle of the chord at the load that makes it 41.5 deg
+Measured sag(Bender bender, int cells);                  // w L^4/8B (+ w L^2/2G); drop of the tip
+Measured heavy_elastica(Bender bender, int cells);       // w L^3/B = 20; place of the tip over L
+Measured peirce_overhang(Bender bender, int cells);      // angle of the chord at the load that makes it 41.5 deg
 Measured end_loaded_elastica(Bender bender, int cells);  // P L^2/B = 12, the tip turns by more than 80 deg; over L
 Measured euler_pinned(Bender bender, int cells);         // pi^2 B/L^2
 Measured euler_clamped(Bender bender, int cells);        // pi^2 B/4L^2

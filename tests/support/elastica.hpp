@@ -1,5 +1,5 @@
-// The inextensible rod clamped level at s = 0, by an integration of its own (Runge-Kutta of fourth order, shooting from the
-// free end), for comparison with meshes. With theta the angle below the horizontal,
+// The inextensible rod clamped level at s = 0, by an integration of its own (Runge-Kutta of fourth order, shooting from
+// the free end), for comparison with meshes. With theta the angle below the horizontal,
 //   theta' = kappa(M) ,  M' = -(w (L - s) + P) cos theta ,  x' = cos theta ,  drop' = sin theta ,  M(L) = 0 .
 #pragma once
 
@@ -11,8 +11,8 @@ namespace weaveform::test {
 struct Rod {
   double length = 0.0;                      // mm
   std::function<double(double)> curvature;  // 1/mm; of a moment (N mm)
-  double weight = 0.0;    // N/mm; per length
-  double end_load = 0.0;  // N; down
+  double weight = 0.0;                      // N/mm; per length
+  double end_load = 0.0;                    // N; down
 };
 
 struct RodShape {

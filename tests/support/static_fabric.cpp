@@ -240,7 +240,7 @@ double StaticFabric::least_stiffness(const Load& load) {
   choose_tilts();
   const Eigen::MatrixXd matrix(stiffness(load));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (matrix + matrix.transpose()),
-                                                             Eigen::EigenvaluesOnly);
+                                                              Eigen::EigenvaluesOnly);
   return solver.eigenvalues()[0];
 }
 

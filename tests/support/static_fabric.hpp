@@ -1,5 +1,5 @@
-// Equilibrium of a fabric or a yarn under dead or following loads, from the library's own force terms: Newton's method on
-// the forces of FabricForces, LatticeBending and Shell, their derivatives by differences. What is left between its
+// Equilibrium of a fabric or a yarn under dead or following loads, from the library's own force terms: Newton's method
+// on the forces of FabricForces, LatticeBending and Shell, their derivatives by differences. What is left between its
 // answer and a closed form is the error of the discretisation alone.
 #pragma once
 

@@ -33,7 +33,8 @@ std::vector<double> errors(Measured (*run)(Bender, int), Bender bender, int doub
 struct OfSecondOrder {
   Measured (*run)(Bender, int);
   std::vector<Bender> benders;
-  double coarsest;  // 1; error allowed to a strip of 6 cells: 1/36 for the trapezoid rule of the sag, less than that else
+  double
+      coarsest;  // 1; error allowed to a strip of 6 cells: 1/36 for the trapezoid rule of the sag, less than that else
 };
 
 // Halving the cells divides the error by 4; third and higher orders move that by less than a fifth on these meshes.
@@ -131,8 +132,8 @@ TEST(Elastica, PeirceOverhangIsTwiceTheBendingLength) {
   EXPECT_NEAR(std::cbrt(test::peirce_load()), 2.0, 0.04);
 }
 
-// The program's dynamic settling. The tip is judged against the inextensible heavy elastica: 26 cells leave 0.1 % of the
-// length (the table of docs/elements.md), the card's slack yarns 0.2 %, what is left of the motion less.
+// The program's dynamic settling. The tip is judged against the inextensible heavy elastica: 26 cells leave 0.1 % of
+// the length (the table of docs/elements.md), the card's slack yarns 0.2 %, what is left of the motion less.
 TEST(CantileverScene, TheTipHangsWhereTheHeavyElasticaDoes) {
   const test::Solved run(test::example("cantilever_pw", {"model.yarn_stiffness_scale=0.1"}));  // a third of the steps
   const double length = run.scene.blank.size[0], width = run.scene.blank.size[1];
