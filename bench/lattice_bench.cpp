@@ -1,14 +1,19 @@
 // Rates of the explicit step on flat, sheared and rippled lattices, in cell-steps per second on one core (a cell-step:
 // one cell, its two yarns, one node, one step, double precision), and where the time goes: rows of yarns and cells, or
-// moving the nodes.
+// moving the nodes. `elements/...` compares every choice of model.yarn and model.cell on one mesh: time per step and
+// stable step, both also relative to truss + membrane (docs/elements.md).
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "mesher/lattice/build.hpp"
 #include "mesher/material/card.hpp"
+#include "solver/bending/lattice_bending.hpp"
+#include "solver/bending/shell.hpp"
 #include "solver/lattice/forces.hpp"
+#include "solver/motion/critical_step.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/result/fields.hpp"
 
@@ -62,6 +67,41 @@ void run(benchmark::State& bench, const std::string& formulation, double yarn_an
   bench.counters["loose cells"] = lattice.packed.loose_cells.size();
 }
 
+// One whole step with everything that the scene's model adds, on the crumpled lattice.
+void elements(benchmark::State& bench, const std::string& yarn, const std::string& cell) {
+  Lattice lattice(static_cast<int>(bench.range(0)), "energy", 0.0);
+  auto& model = lattice.scene.model;
+  model.yarn = yarn;
+  model.cell = cell;
+  const auto laws = yarn_laws(lattice.card, model);
+  const std::vector<char> free(lattice.mesh.node_count(), 0);
+  const CriticalStep critical(lattice.mesh, lattice.card, laws, model, free);
+  const auto position = mesh_positions(lattice.packed, lattice.state);
+  const double fabric_step = critical(position).step;
+  FabricForces forces(lattice.packed, lattice.card, laws, model, lattice.state, 1);
+  const Flexure flexure = choose_flexure(lattice.card, model);
+  std::vector<std::unique_ptr<ForceTerm>> terms;
+  if (flexure.bends_yarns || flexure.rotation_free)
+    terms.push_back(std::make_unique<LatticeBending>(lattice.mesh, lattice.packed, flexure, free, lattice.state, 1));
+  if (flexure.has_shell)
+    terms.push_back(std::make_unique<Shell>(lattice.mesh, lattice.packed, lattice.card, flexure, free, lattice.state,
+                                            Shell::Setup{fabric_step, 1.0, 1}));
+  std::vector<double> further(lattice.mesh.node_count(), 0.0);
+  for (const auto& term : terms) term->add_stiffness_bound(position, further);
+  Motion motion(lattice.packed, 1.0, 1);
+  std::vector<Grip> no_grips;
+  const std::vector<double> none;
+  constexpr double step = 1e-7;  // s; well below the stable step
+  for ([[maybe_unused]] auto _ : bench) {
+    forces.compute(lattice.state);
+    for (const auto& term : terms) term->add_forces(lattice.state, step);
+    motion.advance(lattice.state, no_grips, none, none, step, step);
+  }
+  bench.counters["cell-steps/s"] =
+      benchmark::Counter(static_cast<double>(lattice.mesh.cells.size()), benchmark::Counter::kIsIterationInvariantRate);
+  bench.counters["stable step us"] = 1e6 * critical(position, further).step;
+}
+
 }  // namespace
 
 BENCHMARK_CAPTURE(run, step, "energy", 0.0, whole_step)->Arg(100)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
@@ -82,5 +122,22 @@ BENCHMARK_CAPTURE(run, cut_at_45_deg_step, "energy", 45.0, whole_step)
     ->Arg(100)
     ->Arg(400)
     ->Unit(benchmark::kMillisecond);
+
+BENCHMARK_CAPTURE(elements, truss_membrane, "truss", "membrane")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, seatbelt_membrane, "seatbelt", "membrane")
+    ->Arg(50)
+    ->Arg(200)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, beam_membrane, "beam", "membrane")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, truss_rotation_free, "truss", "rotation-free")
+    ->Arg(50)
+    ->Arg(200)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, beam_rotation_free, "beam", "rotation-free")
+    ->Arg(50)
+    ->Arg(200)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, truss_shell, "truss", "shell")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, beam_shell, "beam", "shell")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 BENCHMARK_MAIN();

@@ -20,6 +20,7 @@ struct YarnCard {
   TangentLaw tension;           // MPa against true strain, e >= 0 (Table 2)
   double linear_modulus = 0.0;  // MPa; tangent of the last piece: at its end, or where it begins when it has no end
   double compression_modulus = 0.0;  // MPa; for e < 0; default 1 % of the linear modulus (ours: the paper gives none)
+  TangentLaw compression;            // MPa against |e|, e < 0; no pieces: the compression modulus at every strain
   // Moment of one yarn (N mm) against its curvature (1/mm) as a tangent law in N mm^2, odd in the curvature's sign; in
   // the fabric's plane and out of it. No pieces: the card does not say. A fibre bundle bends far more easily than E I.
   TangentLaw bending_in_plane, bending_out_of_plane;

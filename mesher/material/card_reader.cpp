@@ -70,16 +70,17 @@ double section_of(const YarnFile& file, const YarnTables& tables, const std::str
   return section;
 }
 
-// Tension is checked a tenth past its last finite strain, or to 10 % when it has none.
-void check_tension(const TangentLaw& law, const toml::node& place, const std::string& yarn_name,
-                   Complaints& complaints) {
+// Laws are checked a tenth past their last finite strain, or to 10 % when they have none.
+void check_law(const TangentLaw& law, const char* key, const YarnTables& tables, const std::string& yarn_name,
+               Complaints& complaints) {
   double last = 0.0;
   for (const auto& piece : law.pieces()) last = std::isfinite(piece.to) ? piece.to : piece.from;
   const std::string negative = law.negative_range(0.0, last > 0.0 ? 1.1 * last : 0.1);
   if (negative.empty()) return;
-  complaints.add(place, fmt::format("tension tangent of the {} turns negative, {}; a yarn must not soften, change the "
-                                    "coefficients or the pieces",
-                                    yarn_name, negative));
+  complaints.add(tables.place(key),
+                 fmt::format("{} tangent of the {} turns negative, {}; a yarn must not soften, change the coefficients "
+                             "or the pieces",
+                             key, yarn_name, negative));
 }
 
 double last_tangent(const TangentLaw& law) {
@@ -108,9 +109,18 @@ YarnCard yarn_of(const YarnFile& file, const YarnTables& tables, const std::stri
   yarn.section = section_of(file, tables, yarn_name, complaints);
   if (file.tension.empty()) return yarn;  // complained about where it was read
   yarn.tension = TangentLaw(file.tension);
-  check_tension(yarn.tension, tables.place("tension"), yarn_name, complaints);
+  check_law(yarn.tension, "tension", tables, yarn_name, complaints);
   yarn.linear_modulus = file.linear_modulus.value_or(last_tangent(yarn.tension));
   yarn.compression_modulus = file.compression_modulus.value_or(compression_share * yarn.linear_modulus);
+  if (!file.compression.empty()) {
+    yarn.compression = TangentLaw(file.compression);
+    check_law(yarn.compression, "compression", tables, yarn_name, complaints);
+    if (file.compression_modulus) {
+      complaints.add(tables.place("compression"),
+                     fmt::format("the {} has both 'compression_modulus' and 'compression'; keep one", yarn_name));
+    }
+    yarn.compression_modulus = yarn.compression.tangent(0.0);
+  }
   yarn.bending_out_of_plane =
       flexure_of(file.bending_out_of_plane, "bending_out_of_plane", file, tables, yarn_name, complaints);
   yarn.bending_in_plane = flexure_of(file.bending_in_plane, "bending_in_plane", file, tables, yarn_name, complaints);
@@ -137,7 +147,12 @@ void read_yarns(const toml::table& root, Card& card, Complaints& complaints) {
     const std::string title = "yarn." + families[f];
     const toml::table* own = table_of(*common, families[f], title, complaints);
     YarnFile file = shared;
-    if (own != nullptr) read_keys(*own, "[" + title + "]", yarn_keys(), file, complaints);
+    if (own != nullptr) {
+      // either of the two replaces what the common yarn says of compression
+      if (own->contains("compression")) file.compression_modulus.reset();
+      if (own->contains("compression_modulus")) file.compression.clear();
+      read_keys(*own, "[" + title + "]", yarn_keys(), file, complaints);
+    }
     const YarnTables tables{own != nullptr ? own : common, common};
     // A family without a table of its own complains in the words of the common yarn, so that both say the same, once.
     const std::string yarn = own != nullptr ? families[f] + " yarn" : "yarn";
@@ -212,7 +227,8 @@ YarnFile file_of(const YarnCard& yarn) {
   file.crimp = in_file_unit(yarn.crimp, percent);
   file.tension = yarn.tension.pieces();
   file.linear_modulus = yarn.linear_modulus;
-  file.compression_modulus = yarn.compression_modulus;
+  file.compression = yarn.compression.pieces();
+  if (file.compression.empty()) file.compression_modulus = yarn.compression_modulus;
   file.bending_out_of_plane = yarn.bending_out_of_plane.pieces();
   file.bending_in_plane = yarn.bending_in_plane.pieces();
   return file;

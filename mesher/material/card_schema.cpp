@@ -139,8 +139,9 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
       key<&YarnFile::crimp>({.name = "crimp",
                              .unit = "%",
                              .limits = between(0, 100),
-                             .doc = "(yarn length - fabric length) / fabric length; for information, the tension law "
-                                    "already holds the decrimping"}),
+                             .doc = "(yarn length - fabric length) / fabric length; gives the slack of "
+                                    "`model.yarn_law = \"slack\"`, otherwise for information: the tension law already "
+                                    "holds the decrimping"}),
       key<&YarnFile::tension>({.name = "tension",
                                .unit = "MPa",
                                .required = true,
@@ -159,6 +160,11 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
                                            .doc =
                                                "for negative strain; auto: 1 % of the linear modulus (our choice, the "
                                                "paper gives none)"}),
+      key<&YarnFile::compression>({.name = "compression",
+                                   .unit = "MPa",
+                                   .doc = "instead of compression_modulus: tangent modulus against the size of "
+                                          "negative true strain, pieces as for `tension`; of trusses and of seatbelts' "
+                                          "compression-only partners"}),
       key<&YarnFile::bending_out_of_plane>(
           {.name = "bending_out_of_plane",
            .unit = "N mm^2",

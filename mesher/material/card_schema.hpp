@@ -27,6 +27,7 @@ struct YarnFile {
   std::vector<TangentPiece> tension;                                 // MPa
   std::optional<double> linear_modulus;                              // MPa
   std::optional<double> compression_modulus;                         // MPa
+  std::vector<TangentPiece> compression;                             // MPa
   std::vector<TangentPiece> bending_in_plane, bending_out_of_plane;  // N mm^2
 };
 

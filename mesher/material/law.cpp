@@ -24,7 +24,8 @@ void check_pieces(const std::vector<TangentPiece>& pieces) {
     if (c.empty()) complain("no coefficients; give at least the constant one");
     if (!std::all_of(c.begin(), c.end(), [](double x) { return std::isfinite(x); }))
       complain("a coefficient is not finite");
-    if (!std::isfinite(piece.from) || !(piece.from < piece.to)) complain("it must end above its beginning");
+    if (!(piece.from < piece.to)) complain("it must end above its beginning");
+    if (i > 0 && !std::isfinite(piece.from)) complain("only the first piece may have no beginning");
     const bool last = i + 1 == pieces.size();
     if (!last && !std::isfinite(piece.to)) complain("only the last piece may have no end");
     if (!last && piece.to != pieces[i + 1].from) {
@@ -40,7 +41,8 @@ TangentLaw::TangentLaw(std::vector<TangentPiece> pieces) : pieces_(std::move(pie
   check_pieces(pieces_);
   const TangentPiece& first = pieces_.front();
   const TangentPiece& last = pieces_.back();
-  segments_.push_back({-infinity, first.from, {value_of(first.coefficient, first.from)}, {}, {}});
+  if (std::isfinite(first.from))
+    segments_.push_back({-infinity, first.from, {value_of(first.coefficient, first.from)}, {}, {}});
   for (const auto& piece : pieces_) segments_.push_back({piece.from, piece.to, piece.coefficient, {}, {}});
   if (std::isfinite(last.to)) segments_.push_back({last.to, infinity, {value_of(last.coefficient, last.to)}, {}, {}});
   integrate();

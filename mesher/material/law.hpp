@@ -9,7 +9,7 @@
 namespace weaveform {
 
 // One piece of a tangent law: C(e) = sum_n coefficient[n] * e^n (MPa) for from <= e < to, e the absolute strain (1).
-// The last piece may have no end: to = infinity.
+// The first piece may have no beginning, the last no end: from = -infinity, to = infinity.
 struct TangentPiece {
   double from = 0.0;
   double to = 0.0;
@@ -24,7 +24,7 @@ struct TangentPiece {
 class TangentLaw {
 public:
   TangentLaw() = default;
-  // Throws InputError when pieces are empty, out of order, not finite or leave a gap.
+  // Throws InputError when pieces are empty, out of order, not finite inside or leave a gap.
   explicit TangentLaw(std::vector<TangentPiece> pieces);
 
   [[nodiscard]] double tangent(double strain) const;            // MPa

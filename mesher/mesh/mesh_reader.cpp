@@ -58,11 +58,18 @@ struct Wanted {
   }
 };
 
+FileError unreadable(const std::filesystem::path& file) {
+  return FileError(
+      fmt::format("{}: not a readable .vtu file, or cut short; make it again with 'weaveform mesh'", file.string()));
+}
+
 Grid read_grid(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw FileError(fmt::format("{}: no such file; make it with 'weaveform mesh'", file.string()));
   if (!std::ifstream(file)) throw FileError(fmt::format("{}: cannot be opened; check its permissions", file.string()));
+  // asked first: of a file cut short VTK takes the sizes of arrays from whatever it finds, and the memory for them
+  if (!mesh_format::ends_with_closing_tag(file)) throw unreadable(file);
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   const ErrorListener errors(reader);
   vtkNew<vtkCallbackCommand> silent;  // the XML parser's own complaints, which end in the reader's error
@@ -71,9 +78,7 @@ Grid read_grid(const std::filesystem::path& file) {
   reader->SetFileName(file.c_str());
   reader->Update();
   Grid grid = reader->GetOutput();
-  if (errors.heard() || reader->GetErrorCode() != 0 || grid == nullptr || !mesh_format::ends_with_closing_tag(file))
-    throw FileError(
-        fmt::format("{}: not a readable .vtu file, or cut short; make it again with 'weaveform mesh'", file.string()));
+  if (errors.heard() || reader->GetErrorCode() != 0 || grid == nullptr) throw unreadable(file);
   return grid;
 }
 

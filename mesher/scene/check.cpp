@@ -90,7 +90,7 @@ void check_material(const Scene& scene, const toml::table& root, Complaints& com
                              did_you_mean(name, builtin_card_names())));
 }
 
-// Stiffnesses that no chosen element would read.
+// Keys that no chosen element or law would read.
 void check_model(const Scene& scene, const toml::table& root, Complaints& complaints) {
   const toml::table* table = table_at(root, "model", 0);
   if (table == nullptr) return;
@@ -103,6 +103,18 @@ void check_model(const Scene& scene, const toml::table& root, Complaints& compla
   needs(model.cell_bending.has_value(), "cell_bending", model.cell != "membrane",
         "cell = \"rotation-free\" or \"shell\"");
   needs(model.transverse_shear.has_value(), "transverse_shear", model.cell == "shell", "cell = \"shell\"");
+  if (model.partner != "none" && model.yarn != "seatbelt") {
+    complaints.add(place_of(*table, "partner"),
+                   fmt::format("'partner' is '{}', but yarn = '{}' carries compression itself; set yarn = \"seatbelt\" "
+                               "or leave 'partner' out",
+                               model.partner, model.yarn));
+  }
+  if (model.slack && model.yarn_law != "slack") {
+    complaints.add(place_of(*table, "slack"),
+                   fmt::format("'slack' is {}, but yarn_law = '{}' has none; set yarn_law = \"slack\" or leave 'slack' "
+                               "out",
+                               *model.slack, model.yarn_law));
+  }
 }
 
 }  // namespace

@@ -33,12 +33,14 @@ struct BlankSpec {
 
 struct ModelSpec {
   std::string yarn = "truss";
+  std::string partner = "none";  // beside a seatbelt: "none", or "compression", an element that carries only that
   std::string cell = "membrane";
   std::string formulation = "energy";
   std::string thickness = "constant-volume";
   std::string section = "incompressible";
   std::string yarn_law =
-      "card";  // "card", or "linear": the card's linear modulus from zero strain on (decrimping taken out)
+      "card";  // "card", or "linear": the card's linear modulus from zero strain on (decrimping taken out), or "slack"
+  Auto slack;  // 1; true strain before a yarn carries; auto: ln(1 + crimp) of its family
   double yarn_stiffness_scale = 1.0;  // factor on all yarn moduli
   std::optional<std::array<double, 2>>
       yarn_bending;  // N mm^2; of one yarn, in plane and out of plane; none: the card's

@@ -44,9 +44,14 @@ const std::vector<Key<BlankSpec>> blank_keys = {
 
 const std::vector<Key<ModelSpec>> model_keys = {
     key<&ModelSpec::yarn>({.name = "yarn",
-                           .allowed = {"truss", "beam"},
+                           .allowed = {"truss", "beam", "seatbelt"},
                            .doc = "element of the yarns: `truss` (the paper's T3D2); `beam` (B31): adds flexural "
-                                  "stiffness along each continuous yarn, crossings stay pinned"}),
+                                  "stiffness along each continuous yarn, crossings stay pinned; `seatbelt` carries no "
+                                  "compression (the paper's LS-DYNA element)"}),
+    key<&ModelSpec::partner>({.name = "partner",
+                              .allowed = {"none", "compression"},
+                              .doc = "`compression`: beside every seatbelt an element that carries the card's "
+                                     "`compression` law and no tension"}),
     key<&ModelSpec::cell>(
         {.name = "cell",
          .allowed = {"membrane", "rotation-free", "shell"},
@@ -66,9 +71,15 @@ const std::vector<Key<ModelSpec>> model_keys = {
                               .allowed = {"incompressible", "constant"},
                               .doc = "how a yarn's cross-section follows its stretch"}),
     key<&ModelSpec::yarn_law>({.name = "yarn_law",
-                               .allowed = {"card", "linear"},
+                               .allowed = {"card", "linear", "slack"},
                                .doc = "tension law: the card's (decrimping, Table 2), or its linear modulus from zero "
-                                      "strain on"}),
+                                      "strain on, or that from the slack strain on and nothing before"}),
+    key<&ModelSpec::slack>(
+        {.name = "slack",
+         .unit = "1",
+         .limits = between(0, 1),
+         .doc = "true strain that yarns stretch before they carry, for `yarn_law = \"slack\"`; "
+                "auto: ln(1 + crimp) of the card, each family its own (0 when the card gives no crimp)"}),
     key<&ModelSpec::yarn_stiffness_scale>({.name = "yarn_stiffness_scale",
                                            .unit = "1",
                                            .limits = above(0, 1000),

@@ -36,7 +36,7 @@ bool is_constant(const TangentLaw& law) {
 
 GeneralLaw packed_moment(const TangentLaw& law) {
   GeneralLaw packed;
-  if (!law.pieces().empty() && !pack_law(law, 0.0, packed))
+  if (!law.pieces().empty() && !pack_law(law, packed))
     throw InputError("material: a bending law has more than 6 pieces or a stiffness above degree 5; simplify it");
   return packed;
 }
@@ -221,9 +221,10 @@ struct LatticeBending::Parts {
   }
 
   void compute_row(int j, BendRowBuffers& buffers) {
-    for (auto* vectors : {&buffers.warp_after, &buffers.warp_before, &buffers.weft_after, &buffers.weft_before,
-                          &buffers.centre, &buffers.a, &buffers.d, &buffers.e})
-      for (auto& component : *vectors) component.clear({0, packed.stride + 1});
+    for (auto* vectors :
+         {&buffers.warp_after, &buffers.warp_before, &buffers.weft_after, &buffers.weft_before, &buffers.centre})
+      clear_gaps(*vectors, bend_runs, j, packed.stride);
+    for (auto* vectors : {&buffers.a, &buffers.d, &buffers.e}) clear_gaps(*vectors, twist_runs, j, packed.stride);
     if (j < 0 || j >= packed.rows) return;
     const BendRows rows = rows_around(j);
     const auto offset = static_cast<std::size_t>(j) * packed.stride;

@@ -61,10 +61,12 @@ struct ShellRowBuffers {
       : along(stride), across(stride), xp(row_vectors(stride)), xq(xp), dp(xp), dq(xp) {}
   EdgeBuffers along, across;
   RowVectors xp, xq, dp, dq;
-  void clear(Run range) {
-    for (auto* vectors :
-         {&along.force, &along.bend, &along.shear, &across.force, &across.bend, &across.shear, &xp, &xq, &dp, &dq})
-      for (auto& component : *vectors) component.clear(range);
+  void clear(int row, const PackedMesh& packed, const RowRuns& twist_runs) {
+    for (auto* vectors : {&along.force, &along.bend, &along.shear})
+      clear_gaps(*vectors, packed.warp_runs, row, packed.stride);
+    for (auto* vectors : {&across.force, &across.bend, &across.shear})
+      clear_gaps(*vectors, packed.weft_runs, row, packed.stride);
+    for (auto* vectors : {&xp, &xq, &dp, &dq}) clear_gaps(*vectors, twist_runs, row, packed.stride);
   }
 };
 
@@ -150,7 +152,7 @@ struct Shell::Parts {
     const TangentLaw& law = flexure.shell[f];
     is_curved[f] = law.pieces().size() > 1 || law.pieces()[0].coefficient.size() > 1;
     moment[f].constant = {law.tangent(0.0)};
-    if (!pack_law(law, 0.0, moment[f].curved.law))
+    if (!pack_law(law, moment[f].curved.law))
       throw InputError("material: a bending law has more than 6 pieces or a stiffness above degree 5; simplify it");
     kernels[f] = edge_kernels(is_curved[f]);
   }
@@ -241,7 +243,7 @@ struct Shell::Parts {
   }
 
   void compute_row(int j, ShellRowBuffers& buffers) {
-    buffers.clear({0, packed.stride});
+    buffers.clear(j, packed, twist_runs);
     if (j < 0) return;
     edges_of_row(0, j, packed.warp_runs, shell_rows(j, 1, j), buffers.along);
     if (j + 1 >= packed.rows) return;

@@ -23,18 +23,11 @@ std::vector<double> shifted(const std::vector<double>& coefficient, double ancho
   return result;
 }
 
-// The law's pieces with everything outside them: constant tangent beyond both ends, the compression modulus below zero.
-std::vector<TangentPiece> whole_line(const TangentLaw& law, double compression_modulus) {
-  std::vector<TangentPiece> pieces;
-  for (const auto& piece : law.pieces()) {
-    if (compression_modulus >= 0.0 && piece.to <= 0.0) continue;
-    pieces.push_back(piece);
-    if (compression_modulus >= 0.0) pieces.back().from = std::max(piece.from, 0.0);
-  }
-  const double start = pieces.front().from;
-  const double below = compression_modulus >= 0.0 ? compression_modulus : law.tangent(start);
-  if (start > -unbounded) pieces.insert(pieces.begin(), {-unbounded, start, {below}});
-  const double end = pieces.back().to;
+// The law's pieces and, beyond both ends, the tangent there.
+std::vector<TangentPiece> whole_line(const TangentLaw& law) {
+  std::vector<TangentPiece> pieces = law.pieces();
+  const double start = pieces.front().from, end = pieces.back().to;
+  if (start > -unbounded) pieces.insert(pieces.begin(), {-unbounded, start, {law.tangent(start)}});
   if (end < unbounded) pieces.push_back({end, unbounded, {law.tangent(end)}});
   return pieces;
 }
@@ -42,8 +35,8 @@ std::vector<TangentPiece> whole_line(const TangentLaw& law, double compression_m
 }  // namespace
 
 template <int Pieces, int Degree>
-bool pack_law(const TangentLaw& law, double compression_modulus, KernelLaw<Pieces, Degree>& packed) {
-  const auto pieces = whole_line(law, compression_modulus);
+bool pack_law(const TangentLaw& law, KernelLaw<Pieces, Degree>& packed) {
+  const auto pieces = whole_line(law);
   if (static_cast<int>(pieces.size()) > Pieces) return false;
   packed = {};
   for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
@@ -61,8 +54,8 @@ bool pack_law(const TangentLaw& law, double compression_modulus, KernelLaw<Piece
   return true;
 }
 
-template bool pack_law(const TangentLaw&, double, PaperLaw&);
-template bool pack_law(const TangentLaw&, double, GeneralLaw&);
-template bool pack_law(const TangentLaw&, double, PaperShearLaw&);
+template bool pack_law(const TangentLaw&, PaperLaw&);
+template bool pack_law(const TangentLaw&, GeneralLaw&);
+template bool pack_law(const TangentLaw&, PaperShearLaw&);
 
 }  // namespace weaveform

@@ -52,9 +52,10 @@ using PaperLaw = KernelLaw<3, 4>;
 using GeneralLaw = KernelLaw<8, 6>;
 using PaperShearLaw = KernelLaw<2, 4>;
 
-// Packs a law; `compression_modulus` (MPa) rules below zero strain unless negative (then the law's own pieces do, or
-// its value at the first end). Returns false when the law has too many pieces or too high a degree for the shape.
+// Packs a law as it stands, on both sides of zero strain (yarn_law.hpp). Beyond its ends the tangent keeps its value,
+// which takes a piece at each end that is finite. Returns false when the law has too many pieces or too high a degree
+// for the shape.
 template <int Pieces, int Degree>
-[[nodiscard]] bool pack_law(const TangentLaw& law, double compression_modulus, KernelLaw<Pieces, Degree>& packed);
+[[nodiscard]] bool pack_law(const TangentLaw& law, KernelLaw<Pieces, Degree>& packed);
 
 }  // namespace weaveform

@@ -1,5 +1,5 @@
-// Truss yarn (the paper's T3D2). True strain e = ln(L/L0) (paper, "Tensile characterization"), stress the integral of
-// the tangent law of Table 2. Axial force, with power N dL/dt:
+// Truss yarn (the paper's T3D2) or seatbelt, which differ in their law (yarn_law.hpp). True strain e = ln(L/L0) (paper,
+// "Tensile characterization"), stress the integral of the tangent law. Axial force, with power N dL/dt:
 //   incompressible section   A = A0 L0/L :  N = s(e) A0 L0/L
 //   constant section         A = A0      :  N = s(e) A0
 #pragma once
@@ -36,7 +36,9 @@ template <Section section, class Law>
 // Axial viscosity, N_v = eta A0/L0 dL/dt, against the elements' highest modes alone: eta = beta E with E the stiffest
 // tangent and beta = xi * stable step, so that xi is the fraction of critical damping at the highest frequency (the
 // linear bulk viscosity of the explicit codes). Where a yarn's stiffness jumps between tension and slackness, leapfrog
-// steps make energy from rounding noise without it. `rate` = d . dv, so that dL/dt = rate/L; returns N_v/L in N/mm.
+// steps make energy from rounding noise without it. It acts in slack yarns too: a seatbelt that met its tension
+// undamped made up to 5 % of a falling chain's energy (docs/theory.md). `rate` = d . dv, so that dL/dt = rate/L;
+// returns N_v/L in N/mm.
 [[gnu::always_inline]] inline double viscous_force_per_length(double length_squared, double rate, double rest,
                                                               double area, double viscosity) {
   return viscosity * area * rate / (rest * length_squared);

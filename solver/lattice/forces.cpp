@@ -50,11 +50,13 @@ struct YarnLawShape {
   [[nodiscard]] const void* pointer() const { return is_paper ? static_cast<const void*>(&paper) : &general; }
 };
 
-YarnLawShape shape_yarn_law(const TangentLaw& law, double compression_modulus, const std::string& what) {
+YarnLawShape shape_yarn_law(const TangentLaw& law, const std::string& what) {
   YarnLawShape shape;
-  shape.is_paper = pack_law(law, compression_modulus, shape.paper);
-  if (!shape.is_paper && !pack_law(law, compression_modulus, shape.general))
-    throw InputError("material: the " + what + " law has more than 6 pieces or a tangent above degree 5; simplify it");
+  shape.is_paper = pack_law(law, shape.paper);
+  if (!shape.is_paper && !pack_law(law, shape.general))
+    throw InputError("material: the tension and compression laws of the " + what +
+                     " yarns have more than 8 pieces together (an end of a last piece counts as one more) or a tangent "
+                     "above degree 5; simplify them");
   return shape;
 }
 
@@ -67,8 +69,8 @@ struct ShearLawShape {
 
 ShearLawShape shape_shear_law(const ShearCard& card) {
   ShearLawShape shape;
-  shape.is_paper = pack_law(card.tangent, 0.0, shape.paper.law);
-  if (!shape.is_paper && !pack_law(card.tangent, 0.0, shape.general.law))
+  shape.is_paper = pack_law(card.tangent, shape.paper.law);
+  if (!shape.is_paper && !pack_law(card.tangent, shape.general.law))
     throw InputError("material: the shear law has more than 6 pieces or a tangent above degree 5; simplify it");
   shape.paper.plateau = shape.general.plateau = card.start.plateau;
   shape.paper.rise = shape.general.rise = card.start.plateau != 0.0 ? card.start.rise : 1.0;
@@ -99,8 +101,7 @@ struct FabricForces::Kernels {
           const ModelSpec& model, const State& start, int threads)
       : packed(packed_mesh),
         thickness(card.thickness),
-        yarn_law{shape_yarn_law(yarn_laws[0], card.yarn[0].compression_modulus * model.yarn_stiffness_scale, "warp"),
-                 shape_yarn_law(yarn_laws[1], card.yarn[1].compression_modulus * model.yarn_stiffness_scale, "weft")},
+        yarn_law{shape_yarn_law(yarn_laws[0], "warp"), shape_yarn_law(yarn_laws[1], "weft")},
         shear(shape_shear_law(card.shear)),
         row_power(packed_mesh.rows, 0.0),
         has_history(model.formulation == "incremental" || model.formulation == "side-frame"),

@@ -2,6 +2,19 @@
 
 namespace weaveform {
 
+void clear_gaps(RowVectors& buffers, const RowRuns& runs, int row, int stride) {
+  const bool inside = row >= 0 && row + 1 < static_cast<int>(runs.first.size());
+  for (auto& component : buffers) {
+    int from = 0;
+    if (inside)
+      for (int r = runs.first[row]; r < runs.first[row + 1]; ++r) {
+        component.clear({from, runs.run[r].begin});
+        from = runs.run[r].end + 1;
+      }
+    component.clear({from, stride + 1});
+  }
+}
+
 Run united(Run a, Run b) {
   if (a.begin == a.end) return b;
   if (b.begin == b.end) return a;

@@ -29,6 +29,10 @@ using RowVectors = std::array<RowBuffer, 3>;
   return {RowBuffer(stride), RowBuffer(stride), RowBuffer(stride)};
 }
 
+// Clears what no run of the row writes, from index -1 to `stride`; the runs themselves are about to be overwritten.
+// Rows outside the lattice have no runs.
+void clear_gaps(RowVectors& buffers, const RowRuns& runs, int row, int stride);
+
 [[nodiscard]] Run united(Run a, Run b);
 
 // Rows in blocks of about equal numbers of nodes, one block a thread: block b has rows first[b] to first[b + 1] - 1.

@@ -16,6 +16,27 @@ Vector3d vector(const Vec3& a) {
   return {a[0], a[1], a[2]};
 }
 
+// Far beyond what a yarn bears; a run whose yarns stretch further stops (see the checks of the time loop).
+constexpr double greatest_strain = 0.5;
+
+// MPa; greatest dN/dL L0/A0 of a yarn at -greatest_strain <= e <= 0. Shortening makes it stiffer than its tangent C:
+//   incompressible section  exp(-2e) (C - s),  constant section  exp(-e) C        (s <= 0)
+// while stretching makes it softer. Bounded in short intervals by the greatest of each factor.
+double stiffest_compressed(const TangentLaw& law, bool constant_section) {
+  constexpr int intervals = 50;  // the bound is then within 2 % of the greatest value
+  double greatest = 0.0;
+  for (int n = 0; n < intervals; ++n) {
+    // at zero strain itself the law's tangent is that of tension
+    const double from = -greatest_strain * (n + 1) / intervals;
+    const double to = std::min(-greatest_strain * n / intervals, -std::numeric_limits<double>::min());
+    const double tangent = law.stiffest(from, to);
+    const double stiffness =
+        constant_section ? std::exp(-from) * tangent : std::exp(-2.0 * from) * (tangent - law.stress(from));
+    greatest = std::max(greatest, stiffness);
+  }
+  return greatest;
+}
+
 double greatest_eigenvalue(const Matrix3d& matrix) {
   Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
   solver.computeDirect(matrix, Eigen::EigenvaluesOnly);
@@ -33,9 +54,8 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
       tied_(mesh.node_count(), 0) {
   for (const auto& tie : mesh.tie) tied_[tie.node] = 1;
   for (int f = 0; f < 2; ++f)
-    // up to 50 % strain: far beyond what a yarn bears; the run stops there (see the checks of the time loop)
-    stiffest_[f] =
-        std::max(yarn_laws[f].stiffest(0.0, 0.5), card.yarn[f].compression_modulus * model.yarn_stiffness_scale);
+    stiffest_[f] = std::max(yarn_laws[f].stiffest(0.0, greatest_strain),
+                            stiffest_compressed(yarn_laws[f], model.section == "constant"));
   for (int e = 0; e < mesh.yarn_count(); ++e)
     yarn_stiffness_[e] = stiffest_[mesh.yarns.family[e] == Family::warp ? 0 : 1] * mesh.yarns.section[e] *
                          mesh.yarns.softening[e] / (mesh.yarns.rest_length[e] + mesh.yarns.jaw[e]);

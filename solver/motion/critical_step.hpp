@@ -29,7 +29,7 @@ public:
   // `held`: per mesh node, true where every component is prescribed.
   CriticalStep(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws, const ModelSpec& model,
                std::vector<char> held);
-  // MPa; the stiffest tangent of each family's yarns
+  // MPa; the stiffest tangent of each family's yarns, stretched or compressed up to a true strain of 0.5
   [[nodiscard]] const std::array<double, 2>& stiffest() const { return stiffest_; }
   // `further`: per mesh node, row sums of everything else that is stiff there (N/mm); may be empty.
   [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::vector<double>& further = {}) const;

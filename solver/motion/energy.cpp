@@ -28,18 +28,21 @@ double integrate(double from, double to, int intervals, const Function& function
 
 // mJ per reference volume of a yarn at true strain e. With a constant section the integrand s exp(e) is smooth between
 // the joints of the law, so each piece is integrated by itself.
-double yarn_energy(const TangentLaw& law, double compression_modulus, double strain, bool constant_section) {
-  if (!constant_section) return strain < 0.0 ? 0.5 * compression_modulus * strain * strain : law.energy(strain);
-  if (strain < 0.0) return integrate(0.0, strain, 4, [&](double e) { return compression_modulus * e * std::exp(e); });
+double yarn_energy(const TangentLaw& law, double strain, bool constant_section) {
+  if (!constant_section) return law.energy(strain);
   const auto integrand = [&](double e) { return law.stress(e) * std::exp(e); };
-  double energy = 0.0, from = 0.0;
-  for (const auto& piece : law.pieces()) {
-    const double to = std::min(strain, piece.to);
-    if (to <= from) continue;
+  const double end = std::max(strain, 0.0);
+  double energy = 0.0, from = std::min(strain, 0.0);
+  const auto integrate_to = [&](double joint) {
+    const double to = std::min(joint, end);
+    if (to <= from) return;
     energy += integrate(from, to, 4, integrand);
     from = to;
-  }
-  return strain > from ? energy + integrate(from, strain, 4, integrand) : energy;
+  };
+  integrate_to(law.pieces().front().from);
+  for (const auto& piece : law.pieces()) integrate_to(piece.to);
+  integrate_to(end);
+  return strain < 0.0 ? -energy : energy;
 }
 
 }  // namespace
@@ -88,8 +91,7 @@ double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell
     const double jaw = mesh_.yarns.jaw[e], rest = mesh_.yarns.rest_length[e] + jaw;
     const int f = mesh_.yarns.family[e] == Family::warp ? 0 : 1;
     energy += mesh_.yarns.section[e] * mesh_.yarns.softening[e] * rest *
-              yarn_energy(yarn_laws_[f], card_.yarn[f].compression_modulus * model_.yarn_stiffness_scale,
-                          std::log((length + jaw) / rest), constant_section);
+              yarn_energy(yarn_laws_[f], std::log((length + jaw) / rest), constant_section);
   }
   if (model_.formulation == "incremental" || model_.formulation == "side-frame") return energy + cell_work;
   const bool path_needed = model_.formulation == "contravariant";

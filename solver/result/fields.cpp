@@ -55,24 +55,15 @@ struct YarnState {
   double force = 0.0;   // N
 };
 
-// Stress of one family's yarns: the tension law above zero strain, a constant modulus below.
-struct YarnStress {
-  const TangentLaw& tension;
-  double compression_modulus;  // MPa
-  [[nodiscard]] double operator()(double strain) const {
-    return strain < 0.0 ? compression_modulus * strain : tension.stress(strain);
-  }
-};
-
 // e = ln((L + jaw)/(L0 + jaw)),  N = s(e) A softening (L0 + jaw)/(L + jaw)   (mesh.hpp; without the last factor when
 // the section is constant).
-YarnState yarn_state(const MeshYarns& yarns, std::size_t yarn, double length, const YarnStress& stress,
+YarnState yarn_state(const MeshYarns& yarns, std::size_t yarn, double length, const TangentLaw& law,
                      bool incompressible) {
   const double rest = yarns.rest_length[yarn] + yarns.jaw[yarn];
   const double current = length + yarns.jaw[yarn];
   const double strain = std::log(current / rest);
   const double section = yarns.section[yarn] * yarns.softening[yarn] * (incompressible ? rest / current : 1.0);
-  return {strain, stress(strain) * section};
+  return {strain, law.stress(strain) * section};
 }
 
 std::vector<Vector3d> oriented_areas(const Mesh& mesh, const std::vector<Vec3>& position) {
@@ -128,38 +119,22 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
 }
 
 void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model, Fields& fields) {
-  const std::array<TangentLaw, 2> tension = yarn_laws(card, model);
+  const std::array<TangentLaw, 2> law = yarn_laws(card, model);
   const bool incompressible = model.section != "constant";
   const std::size_t count = yarns.node.size();
   fields.yarn_strain.resize(count);
   fields.yarn_force.resize(count);
   for (std::size_t yarn = 0; yarn < count; ++yarn) {
     const auto family = static_cast<std::size_t>(yarns.family[yarn]);
-    const YarnStress stress{tension[family], model.yarn_stiffness_scale * card.yarn[family].compression_modulus};
     const auto [a, b] = yarns.node[yarn];
     const double length = distance(fields.position[a], fields.position[b]);
-    const YarnState state = yarn_state(yarns, yarn, length, stress, incompressible);
+    const YarnState state = yarn_state(yarns, yarn, length, law[family], incompressible);
     fields.yarn_strain[yarn] = state.strain;
     fields.yarn_force[yarn] = state.force;
   }
 }
 
 }  // namespace
-
-std::array<TangentLaw, 2> yarn_laws(const Card& card, const ModelSpec& model) {
-  std::array<TangentLaw, 2> laws;
-  for (int family = 0; family < 2; ++family) {
-    const YarnCard& yarn = card.yarn[family];
-    // One constant piece: past its end the tangent keeps its value, so the upper bound is without effect.
-    std::vector<TangentPiece> pieces = model.yarn_law == "linear"
-                                           ? std::vector<TangentPiece>{{0.0, 1.0, {yarn.linear_modulus}}}
-                                           : yarn.tension.pieces();
-    for (TangentPiece& piece : pieces)
-      for (double& coefficient : piece.coefficient) coefficient *= model.yarn_stiffness_scale;
-    laws[family] = TangentLaw(std::move(pieces));
-  }
-  return laws;
-}
 
 std::vector<bool> folded_cells(const Mesh& mesh, const std::vector<Vec3>& position) {
   const std::vector<Vector3d> area = oriented_areas(mesh, position);

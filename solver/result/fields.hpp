@@ -7,6 +7,7 @@
 #include "mesher/material/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
+#include "solver/element/yarn_law.hpp"
 
 namespace weaveform {
 
@@ -22,9 +23,6 @@ struct Fields {
   std::vector<double> yarn_strain;  // 1; true strain per yarn element
   std::vector<double> yarn_force;   // N; axial, tension positive
 };
-
-// The yarn laws actually used: the card's, or linear ones, scaled (model.yarn_law, model.yarn_stiffness_scale).
-[[nodiscard]] std::array<TangentLaw, 2> yarn_laws(const Card& card, const ModelSpec& model);
 
 [[nodiscard]] Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,
                                     const std::vector<Vec3>& position);

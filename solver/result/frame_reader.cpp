@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "mesher/base/error.hpp"
+#include "mesher/mesh/mesh_format.hpp"
 #include "solver/result/result.hpp"
 #include "solver/result/vtk_messages.hpp"
 #include "solver/result/whole_file.hpp"
@@ -52,6 +53,7 @@ InputError not_a_frame(const fs::path& frame, const std::string& what) {
 vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& frame, const std::string& array) {
   if (!fs::is_regular_file(frame))
     throw FileError(fmt::format("{}: no such frame; solve again, or choose another result folder", frame.string()));
+  if (!mesh_format::ends_with_closing_tag(frame)) throw not_a_frame(frame, "damaged or cut short");
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   const VtkMessages complaints;
   reader->SetFileName(frame.c_str());

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/material/card.hpp"
 #include "mesher/scene/reader.hpp"
 #include "tests/support/run_command.hpp"
 
@@ -124,6 +125,11 @@ INSTANTIATE_TEST_SUITE_P(Docs, Document, testing::ValuesIn(documents()), [](cons
 TEST(SceneReference, IsTheOneTheProgramPrints) {
   EXPECT_EQ(read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "docs" / "scene.md"), weaveform::scene_reference_markdown())
       << "docs/scene.md is generated: run ./dev docs";
+}
+
+TEST(CardReference, IsTheOneTheProgramPrints) {
+  EXPECT_EQ(read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "docs" / "card.md"), weaveform::card_reference_markdown())
+      << "docs/card.md is generated: run ./dev docs";
 }
 
 TEST(Readme, ShowsTheTwoCommands) {

@@ -1,9 +1,11 @@
 set(VERIFY_SOURCES
+  verify/free_patch_energy_test.cpp
   verify/fit_coverage_test.cpp
   verify/fit_paper_tables_test.cpp
   verify/fit_traps_test.cpp
   verify/bias_extension_test.cpp
   verify/shear_frame_test.cpp
+  verify/seatbelt_test.cpp
   support/run_command.cpp
   verify/contact_friction_test.cpp
   verify/contact_limits_test.cpp
@@ -13,4 +15,5 @@ set(VERIFY_SOURCES
   support/elastica.cpp
   support/static_fabric.cpp
   verify/bending_closed_forms_test.cpp
+  verify/zone_border_test.cpp
 )

@@ -42,6 +42,8 @@ void read_yarn_table(const toml::table& table, const std::string& title, YarnFil
   const auto has = [&](const char* name) { return table.contains(name); };
   if (has("fibre_volume_fraction") || has("fibre_density") || has("matrix_density")) yarn.section.reset();
   if (has("section")) yarn.fibre_volume_fraction = yarn.fibre_density = yarn.matrix_density = std::nullopt;
+  if (has("compression")) yarn.compression_modulus.reset();
+  if (has("compression_modulus")) yarn.compression.clear();
   if (has("tension")) yarn.linear_modulus = yarn.compression_modulus = std::nullopt;
   read_keys(table, title, yarn_keys(), yarn, complaints, title == "[yarn]" ? families : std::vector<std::string>{});
 }

@@ -192,7 +192,8 @@ std::string fit_reference_markdown() {
          section("`[[bias_extension]]`", "Bias-extension tests; as many tables as needed.",
                  describe_keys("bias_extension", bias_extension_keys())) +
          "\n### `[yarn]`, `[yarn.warp]`, `[yarn.weft]`\n\nThe keys of a card (`docs/card.md`), each optional when the "
-         "base card has it. `section` and the three keys of Eq. 11 replace each other.\n";
+         "base card has it. `section` and the three keys of Eq. 11 replace each other, "
+         "and so do `compression_modulus` and `compression`.\n";
 }
 
 }  // namespace weaveform::identify

@@ -50,7 +50,8 @@ void fit_yarns(Identification& found) {
   }
 }
 
-// Tension law of a yarn that was measured; the modulus of compression follows the base card's share of the linear one.
+// Tension law of a yarn that was measured; the modulus of compression follows the base card's share of the linear one,
+// while a compression law stays as it is.
 YarnFile fitted_yarn(const YarnFile& before, const YarnFit& fit) {
   YarnFile yarn = before;
   const double modulus = legible(fit.modulus);
@@ -119,7 +120,7 @@ void say_assumptions(Identification& found) {
                           "paper)",
                           families[f], crimp)
             : fmt::format("the {} yarn has no crimp: its law is the linear modulus from zero strain on", families[f]));
-    if (!spec.yarn[f].compression_modulus)
+    if (!spec.yarn[f].compression_modulus && spec.yarn[f].compression.empty())
       say(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", families[f]));
   }
   if (found.shear() == nullptr) say("no test of shear: the shear law is that of the base card " + spec.head.base);

@@ -142,6 +142,38 @@ TEST(Card, CompressionModulusCanBeGivenOrIsOnePercent) {
   EXPECT_EQ(read_card_text(given, "c.toml").yarn[0].compression_modulus, 0.0);
 }
 
+const std::string compression =
+    "compression = [ { from = 0, to = 0.05, coefficients = [30, 400] }, { from = 0.05, coefficients = [50] } ]";
+
+TEST(Card, CompressionLawStandsForTheModulus) {
+  const Card card = read_card_text(card_text("interval = 4.92", "interval = 4.92\n" + compression), "c.toml");
+  EXPECT_EQ(card.yarn[0].compression_modulus, 30.0) << "the law's tangent at zero strain";
+  EXPECT_NEAR(card.yarn[0].compression.stress(0.05), 30.0 * 0.05 + 200.0 * 0.05 * 0.05, 1e-15);
+  EXPECT_EQ(read_card_text(card_to_toml(card), "c.toml"), card) << card_to_toml(card);
+}
+
+TEST(Card, CompressionOfAFamilyReplacesTheCommonOne) {
+  const Card law = read_card_text(
+      card_text("[shear]", "compression_modulus = 7\n[yarn.weft]\n" + compression + "\n[shear]"), "c.toml");
+  EXPECT_TRUE(law.yarn[0].compression.pieces().empty());
+  EXPECT_EQ(law.yarn[0].compression_modulus, 7.0);
+  EXPECT_EQ(law.yarn[1].compression.pieces().size(), 2U);
+  const Card modulus =
+      read_card_text(card_text("[shear]", compression + "\n[yarn.weft]\ncompression_modulus = 7\n[shear]"), "c.toml");
+  EXPECT_EQ(modulus.yarn[0].compression.pieces().size(), 2U);
+  EXPECT_TRUE(modulus.yarn[1].compression.pieces().empty());
+  EXPECT_EQ(modulus.yarn[1].compression_modulus, 7.0);
+}
+
+TEST(CardComplaint, CompressionIsSaidOnceAndDoesNotSoften) {
+  EXPECT_EQ(complaint_of("interval = 4.92", "interval = 4.92\ncompression_modulus = 7\n" + compression),
+            "c.toml:8:15: the yarn has both 'compression_modulus' and 'compression'; keep one");
+  const auto softening = complaint_of(
+      "interval = 4.92", "interval = 4.92\ncompression = [ { from = 0, to = 0.1, coefficients = [10, -200] } ]");
+  EXPECT_TRUE(softening.starts_with("c.toml:7:15: compression tangent of the yarn turns negative, e in [0.05"))
+      << softening;
+}
+
 TEST(CardComplaint, NamesPlaceAndNearestKey) {
   EXPECT_EQ(complaint_of("interval = 4.92", "interval = 4.92\nlinear_modulos = 3"),
             "c.toml:7:1: unknown key 'linear_modulos' in [yarn]; did you mean 'linear_modulus'?");

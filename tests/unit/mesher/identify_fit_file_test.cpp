@@ -40,6 +40,18 @@ TEST(FitFile, ASectionAndEq11ReplaceEachOther) {
   EXPECT_FALSE(spec.yarn[0].section.has_value());
 }
 
+TEST(FitFile, CompressionLawAndModulusReplaceEachOther) {
+  const FitSpec spec = read_fit_text(
+      "name = 'a'\nbase = 'twintex-pw'\n[yarn]\ncompression = [{ from = 0, coefficients = [90, 10] }]\n[yarn.weft]\n"
+      "compression_modulus = 50\n" +
+          test_of_yarn,
+      "f.toml");
+  EXPECT_FALSE(spec.yarn[0].compression_modulus.has_value());
+  EXPECT_EQ(spec.yarn[0].compression.size(), 1U);
+  EXPECT_EQ(spec.yarn[1].compression_modulus, 50.0);
+  EXPECT_TRUE(spec.yarn[1].compression.empty());
+}
+
 TEST(FitFile, ComplainsWithPlaceAndNearestName) {
   EXPECT_NE(complaint_of("nmae = 'a'\nbase = 'twintex-pw'\n" + test_of_yarn)
                 .find("f.toml:1:1: unknown key 'nmae' in a fit file; did you mean 'name'?"),

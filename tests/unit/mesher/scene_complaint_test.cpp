@@ -107,6 +107,18 @@ TEST(SceneComplaint, ConflictingKeysPointAtTheSecond) {
   EXPECT_TRUE(complaints_of("[analysis]\nduration = \"auto\"\nloading_speed = 2\n").empty());
 }
 
+TEST(SceneComplaint, KeysWithoutMeaningPointAtWhatGivesThemOne) {
+  EXPECT_EQ(complaint_of("[model]\npartner = \"compression\"\n"),
+            "s.toml:2:11: 'partner' is 'compression', but yarn = 'truss' carries compression itself; set yarn = "
+            "\"seatbelt\" or leave 'partner' out");
+  EXPECT_EQ(complaint_of("[model]\nyarn_law = \"linear\"\nslack = 0.02\n"),
+            "s.toml:3:9: 'slack' is 0.02, but yarn_law = 'linear' has none; set yarn_law = \"slack\" or leave 'slack' "
+            "out");
+  EXPECT_TRUE(complaints_of("[model]\nyarn = \"seatbelt\"\npartner = \"compression\"\n").empty());
+  EXPECT_TRUE(complaints_of("[model]\nyarn_law = \"slack\"\nslack = 0.02\n").empty());
+  EXPECT_TRUE(complaints_of("[model]\npartner = \"none\"\nslack = \"auto\"\n").empty());
+}
+
 TEST(SceneComplaint, NamesAndEdgesServeOnce) {
   EXPECT_EQ(complaint_of(grip + "[[grip]]\nname = \"top\"\nedge = \"bottom\"\n"),
             "s.toml:5:8: two [[grip]] are called 'top'; give each its own name");

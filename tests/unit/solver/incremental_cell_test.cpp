@@ -29,7 +29,7 @@ constexpr double volume = 12.0;  // mm^3
 
 KernelShear<PaperShearLaw> plain_weave() {
   KernelShear<PaperShearLaw> law;
-  if (!pack_law(load_card("twintex-pw").shear.tangent, 0.0, law.law)) ADD_FAILURE() << "the law does not fit";
+  if (!pack_law(load_card("twintex-pw").shear.tangent, law.law)) ADD_FAILURE() << "the law does not fit";
   return law;
 }
 
