@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "solver/bending/shell_energy.hpp"
-#include "solver/result/fields.hpp"
+#include "solver/element/yarn_law.hpp"
 
 namespace weaveform::test {
 namespace {
@@ -20,7 +20,10 @@ constexpr int period = 2 * reach + 1;
 constexpr double step = 1e-3;  // mm, rad
 
 Card symmetric(Card card) {
-  for (auto& yarn : card.yarn) yarn.compression_modulus = yarn.linear_modulus;
+  for (auto& yarn : card.yarn) {
+    yarn.compression_modulus = yarn.linear_modulus;
+    yarn.compression = {};
+  }
   return card;
 }
 
