@@ -239,7 +239,8 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
         {.name = "duration",
          .unit = "s",
          .limits = above(0),
-         .doc = "time over which the grips travel; auto: from the fabric's slowest shear wave"}),
+         .doc = "time over which the grips travel; auto: from the fabric's slowest shear wave, or, where nothing acts "
+                "but gravity, until the slowest sway has come to rest"}),
     key<&AnalysisSpec::loading_speed>({.name = "loading_speed",
                                        .unit = "mm/s",
                                        .limits = above(0),
@@ -254,10 +255,12 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
     key<&AnalysisSpec::step_factor>(
         {.name = "step_factor", .unit = "1", .limits = above(0, 4), .doc = "fraction of the stable step"}),
     key<&AnalysisSpec::step_check>({.name = "step_check", .doc = "stop when the step is above the stable one"}),
-    key<&AnalysisSpec::damping>({.name = "damping",
-                                 .unit = "1/s",
-                                 .limits = at_least(0),
-                                 .doc = "mass-proportional damping; auto: chosen from the duration"}),
+    key<&AnalysisSpec::damping>(
+        {.name = "damping",
+         .unit = "1/s",
+         .limits = at_least(0),
+         .doc = "mass-proportional damping; auto: chosen from the duration; critical for the slowest "
+                "sway where nothing acts but gravity"}),
     key<&AnalysisSpec::energy_limit>({.name = "energy_limit",
                                       .unit = "1",
                                       .limits = above(0, 1),

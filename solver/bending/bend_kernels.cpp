@@ -103,6 +103,7 @@ struct LooseYarn {
                                                    int e) {
   const int node = bends.node[e], before = bends.before[f][e], after = bends.after[f][e];
   const double own_before = bends.own_before[f][e], own_after = bends.own_after[f][e];
+  const double spread = 1.0 / bends.inverse_spread[f][e];
   double em[3], ep[3];
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
@@ -118,7 +119,8 @@ struct LooseYarn {
     const double fixed_before = bends.fixed_before[f][c][e], fixed_after = bends.fixed_after[f][c][e];
     yarn.before[c] = own_before * tm.t[c] + fixed_before;
     yarn.after[c] = own_after * tp.t[c] + fixed_after;
-    yarn.span[c] = em[c] + ep[c];
+    // in the jaws the yarn goes on as far as outside (spread: half an element), so that the normal halves the turn
+    yarn.span[c] = em[c] + ep[c] + 2.0 * spread * (fixed_before + fixed_after);
   }
   return yarn;
 }

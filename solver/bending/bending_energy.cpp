@@ -37,10 +37,13 @@ Turn turn_of(const YarnBend& yarn, int node, const std::vector<Vec3>& position) 
   return turn;
 }
 
+// From the yarn's node before to that after; in jaws it goes on as far as outside.
+Vector3d span_of(const YarnBend& yarn, const std::vector<Vec3>& position) {
+  return vector(position[yarn.after]) - vector(position[yarn.before]) + 2.0 * yarn.spread * vector(yarn.fixed);
+}
+
 Vector3d plane_normal(const Bend& bend, const std::vector<Vec3>& position) {
-  const Vector3d d1 = vector(position[bend.yarn[0].after]) - vector(position[bend.yarn[0].before]);
-  const Vector3d d2 = vector(position[bend.yarn[1].after]) - vector(position[bend.yarn[1].before]);
-  return unit(d1.cross(d2));
+  return unit(span_of(bend.yarn[0], position).cross(span_of(bend.yarn[1], position)));
 }
 
 // in, out

@@ -52,6 +52,57 @@ YarnBend clamped_bend(const Mesh& mesh, int node, int element, bool leaves) {
   return bend;
 }
 
+// mm; of one family, the length of a tied free end beyond each node.
+std::vector<double> free_lengths(const Mesh& mesh, Family family) {
+  std::vector<char> free_end(mesh.node_count(), 0);
+  for (const auto& tie : mesh.tie) free_end[tie.node] = tie.share < 0.0 ? 1 : 0;
+  std::vector<double> length(mesh.node_count(), 0.0);
+  for (int e = 0; e < mesh.yarn_count(); ++e) {
+    const auto [a, b] = mesh.yarns.node[e];
+    if (mesh.yarns.family[e] != family) continue;
+    if (free_end[a] != 0) length[b] += mesh.yarns.rest_length[e];
+    if (free_end[b] != 0) length[a] += mesh.yarns.rest_length[e];
+  }
+  return length;
+}
+
+// Whether an edge across family f alone passes the end of one of its yarns: the yarns beside it end there too.
+bool cut_across(const Mesh& mesh, const std::array<Neighbours, 2>& at, int end, int f, bool after) {
+  const int g = 1 - f;
+  for (const bool up : {true, false}) {
+    const int element = up ? at[g].after[end] : at[g].before[end];
+    if (element < 0) continue;
+    const int beside = mesh.yarns.node[element][up ? 1 : 0];
+    if ((after ? at[f].after[beside] : at[f].before[beside]) >= 0) return false;
+  }
+  return true;
+}
+
+// Where the yarn ends beside a bend at an edge oblique to it, the bend bears the energy of what is beyond it: half an
+// element and a free end.
+void reach_to_ends(const Mesh& mesh, const std::array<Neighbours, 2>& at, std::vector<Bend>& bends,
+                   const std::vector<char>& held, const std::vector<double>& share) {
+  for (int f = 0; f < 2; ++f) {
+    const auto beyond = free_lengths(mesh, f == 0 ? Family::warp : Family::weft);
+    for (auto& bend : bends) {
+      YarnBend& yarn = bend.yarn[f];
+      if (yarn.yarns == 0.0) continue;
+      double reach = 0.0;
+      for (const bool after : {true, false}) {
+        if (after ? yarn.fixed_after : yarn.fixed_before) continue;
+        const Neighbours& of_yarn = at[f];
+        const int end = after ? yarn.after : yarn.before;
+        if (share[end] == 0.0) continue;  // beyond a mirror plane, where the yarn goes on
+        if (end == bend.node || held[end] != 0 || (after ? of_yarn.after[end] : of_yarn.before[end]) >= 0) continue;
+        if (cut_across(mesh, at, end, f, after)) continue;
+        const int element = after ? of_yarn.after[bend.node] : of_yarn.before[bend.node];
+        reach += 0.5 * mesh.yarns.rest_length[element] + beyond[end];
+      }
+      yarn.yarns *= 1.0 + reach / yarn.spread;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Bend> find_bends(const Mesh& mesh, const std::vector<char>& held) {
@@ -80,6 +131,7 @@ std::vector<Bend> find_bends(const Mesh& mesh, const std::vector<char>& held) {
         bends.push_back(bend);
       }
   }
+  reach_to_ends(mesh, at, bends, held, share);
   for (auto& bend : bends)
     for (auto& yarn : bend.yarn) yarn.yarns *= share[bend.node];
   return bends;

@@ -1,7 +1,9 @@
 #include "solver/bending/shell_energy.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace weaveform {
 namespace {
@@ -27,14 +29,24 @@ std::array<double, 2> strains(int a, int b, double rest_length, const std::vecto
 std::vector<ShellEdge> find_shell_edges(const Mesh& mesh, const Card& card, double transverse_shear) {
   std::vector<char> free_end(mesh.node_count(), 0);
   for (const auto& tie : mesh.tie) free_end[tie.node] = tie.share < 0.0 ? 1 : 0;
+  std::map<std::array<int, 2>, double> longer;  // mm; by the tied free ends in line with an element
+  for (const auto& tie : mesh.tie)
+    if (tie.share < 0.0) {
+      const auto [first, second] = tie.to;
+      const auto &a = mesh.nodes.position[first], &b = mesh.nodes.position[second];
+      longer[{std::min(first, second), std::max(first, second)}] +=
+          -tie.share * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    }
   std::vector<ShellEdge> edges;
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto node = mesh.yarns.node[e];
     if (free_end[node[0]] != 0 || free_end[node[1]] != 0) continue;
     const int f = mesh.yarns.family[e] == Family::warp ? 0 : 1;
-    const double width = mesh.yarns.yarns[e] * card.yarn[f].interval;
-    edges.push_back({node, f, mesh.yarns.yarns[e], mesh.yarns.rest_length[e],
-                     transverse_shear * width * mesh.yarns.rest_length[e]});
+    const auto found = longer.find({std::min(node[0], node[1]), std::max(node[0], node[1])});
+    const double free_length = found == longer.end() ? 0.0 : found->second;
+    const double yarns = mesh.yarns.yarns[e] * (1.0 + free_length / mesh.yarns.rest_length[e]);
+    const double width = yarns * card.yarn[f].interval;
+    edges.push_back({node, f, yarns, mesh.yarns.rest_length[e], transverse_shear * width * mesh.yarns.rest_length[e]});
   }
   return edges;
 }

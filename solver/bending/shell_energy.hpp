@@ -18,7 +18,8 @@ struct ShellEdge {
   double shear_stiffness = 0.0;  // N mm; G w L
 };
 
-// All yarn elements but free ends that are tied in line with their yarn.
+// All yarn elements but free ends that are tied in line with their yarn: the element before such an end bears its
+// energy as well, as if there were more `yarns` (as the bends of bends.hpp do).
 [[nodiscard]] std::vector<ShellEdge> find_shell_edges(const Mesh& mesh, const Card& card, double transverse_shear);
 
 // mJ; `director` per mesh node.

@@ -6,6 +6,12 @@
 //   tau = L / sqrt(C_min t / (area density)),  duration = crossings * tau * sqrt(max(1, 8 travel/L)),  damping = decays
 //   / duration.
 // The two constants were chosen from measured load errors (docs/theory.md, "Loading speed and damping").
+//
+// Where only its own weight moves the fabric, it is to come to rest: with omega the slowest sway of the blank's length
+// as a cantilever, stiff (beam, 1.875^4 = 12.36) or limp (hanging chain, (2.405/2)^2 = 1.446),
+//   omega^2 = max(12.36 D/(area density L^4), 1.446 g/L) ,  damping = 2 omega (critical) ,  duration = settling / omega
+//   ,
+// which leaves (1 + 12) exp(-12) = 1e-4 of the way.
 #pragma once
 
 #include "mesher/material/card.hpp"
@@ -15,6 +21,7 @@ namespace weaveform {
 
 inline constexpr double default_crossings = 16.0;
 inline constexpr double default_decays = 2.0;
+inline constexpr double default_settling = 12.0;
 inline constexpr double default_tool_speed = 1000.0;  // mm/s; greatest, of forming tools
 
 struct Loading {

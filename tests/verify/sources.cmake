@@ -12,5 +12,9 @@ set(VERIFY_SOURCES
   verify/contact_limits_test.cpp
   verify/contact_static_test.cpp
   verify/unit_cell_test.cpp
+  support/bending_cases.cpp
+  support/elastica.cpp
+  support/static_fabric.cpp
+  verify/bending_closed_forms_test.cpp
   verify/zone_border_test.cpp
 )
