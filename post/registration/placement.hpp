@@ -1,0 +1,49 @@
+// Where the measurement lies on the blank: a rotation and a shift of the plane (no scale: a wrong pixel size must
+// show).
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "post/comparison/settings.hpp"
+#include "post/virtual_dic/simulation.hpp"
+
+namespace weaveform::dic {
+
+// blank = R(angle) measurement + shift
+struct RigidMotion {
+  double angle = 0.0;  // rad
+  Vec2 shift = {0.0, 0.0};
+  [[nodiscard]] Vec2 turned(const Vec2& p) const {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
+  }
+  [[nodiscard]] Vec2 moved(const Vec2& p) const {
+    const Vec2 t = turned(p);
+    return {t[0] + shift[0], t[1] + shift[1]};
+  }
+};
+
+struct Placement {
+  RigidMotion reference;                        // of the undeformed specimen
+  RigidMotion current;                          // of the deformed one: the same unless the specimen moved as a whole
+  std::string method;                           // what was done, in words
+  double residual = 0.0;                        // mm; rms of marks or displacements left
+  int used = 0, rejected = 0, off_fabric = 0;   // points or marks
+  double angle_error = 0.0, shift_error = 0.0;  // rad, mm; standard errors (least squares)
+};
+
+// By the settings; least squares matches the displacement field of one stage. Throws InputError with the question when
+// the field does not decide the placement.
+[[nodiscard]] Placement place(const MeasuredStage& stage, const Simulation& simulation, const SimulatedState& state,
+                              const RegistrationSpec& spec);
+
+// With a known reference placement, the motion as a whole of another stage (RegistrationSpec::motion = "free").
+[[nodiscard]] RigidMotion follow(const MeasuredStage& stage, const Simulation& simulation, const SimulatedState& state,
+                                 const RigidMotion& reference, double reject);
+
+// Rotation and shift that take `from` to `to` with the least squares (Kabsch 1976, in the plane).
+[[nodiscard]] RigidMotion rigid_fit(const std::vector<Vec2>& from, const std::vector<Vec2>& to);
+
+}  // namespace weaveform::dic
