@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "mesher/base/error.hpp"
@@ -180,8 +182,8 @@ public:
       const Anchor anchor = last_stage(files_, settings_);
       match_.check_count(anchor.index + 1);
       comparison_.instrument = settle_instrument(settings_.instrument, anchor.stage);
-      comparison_.placement =
-          place(anchor.stage, simulation_, match_.state(anchor.index, anchor.stage), settings_.registration);
+      comparison_.placement = place(anchor.stage, simulation_, match_.state(anchor.index, anchor.stage),
+                                    settings_.registration, comparison_.instrument.facet_size);
       last_ = anchor.index;
     }
     remove_old_stages(output_ / "stages");
@@ -271,32 +273,39 @@ Comparison compare(const fs::path& result, const std::vector<std::string>& measu
   return Run(result, measurement, settings, output).run();
 }
 
+std::array<double, 2> end_angles(const std::vector<double>& angle) {
+  std::vector<double> a;
+  std::copy_if(angle.begin(), angle.end(), std::back_inserter(a), [](double value) { return std::isfinite(value); });
+  const auto fifth = static_cast<std::ptrdiff_t>(a.size() / 5);
+  if (fifth == 0) return {none, none};
+  return {std::accumulate(a.begin(), a.begin() + fifth, 0.0) / static_cast<double>(fifth),
+          std::accumulate(a.end() - fifth, a.end(), 0.0) / static_cast<double>(fifth)};
+}
+
 double step_width(const std::vector<double>& distance, const std::vector<double>& angle) {
-  std::vector<double> s, a;
+  const auto [from, to] = end_angles(angle);
+  return step_width(distance, angle, from, to);
+}
+
+double step_width(const std::vector<double>& distance, const std::vector<double>& angle, double from, double to) {
+  constexpr double half_a_degree = 0.5 * std::numbers::pi / 180.0;
+  if (!(std::abs(to - from) >= half_a_degree)) return none;
+  std::vector<double> s, way;
   for (std::size_t i = 0; i < angle.size(); ++i)
     if (std::isfinite(angle[i])) {
       s.push_back(distance[i]);
-      a.push_back(angle[i]);
+      way.push_back((angle[i] - from) / (to - from));
     }
-  const std::size_t fifth = a.size() / 5;
-  if (fifth == 0) return none;
-  const double from =
-      std::accumulate(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(fifth), 0.0) / static_cast<double>(fifth);
-  const double to =
-      std::accumulate(a.end() - static_cast<std::ptrdiff_t>(fifth), a.end(), 0.0) / static_cast<double>(fifth);
-  if (std::abs(to - from) < 0.5 / 180.0 * 3.141592653589793) return none;
   // The last place below 10 % before the first above 90 %: noise on the plateaus does not widen the step.
-  const auto way = [&](std::size_t i) { return (a[i] - from) / (to - from); };
   std::size_t high = 0;
-  while (high < a.size() && way(high) < 0.9) ++high;
-  if (high == 0 || high == a.size()) return none;
+  while (high < way.size() && way[high] < 0.9) ++high;
+  if (high == 0 || high == way.size()) return none;
   std::size_t low = high;
-  while (low > 0 && way(low) > 0.1) --low;
+  while (low > 0 && way[low] > 0.1) --low;
+  if (way[low] > 0.1) return none;
   const auto crossing = [&](std::size_t below, double level) {
-    const double lower = way(below), upper = way(below + 1);
-    return s[below] + (level - lower) / (upper - lower) * (s[below + 1] - s[below]);
+    return s[below] + (level - way[below]) / (way[below + 1] - way[below]) * (s[below + 1] - s[below]);
   };
-  if (way(low) > 0.1) return none;
   return crossing(high - 1, 0.9) - crossing(low, 0.1);
 }
 

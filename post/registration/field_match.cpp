@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "mesher/base/error.hpp"
-#include "post/virtual_dic/strain_window.hpp"
+#include "post/virtual_dic/facet.hpp"
 
 namespace weaveform::dic {
 namespace {
@@ -23,6 +23,7 @@ constexpr int trial_steps = 12, final_steps = 30;
 struct Cloud {
   std::vector<Vec2> reference, current;
   Vec2 centre = {0.0, 0.0};
+  std::vector<Vec2> levelling;  // mm; facet's minus point's simulated displacement, blank frame; empty: none
 };
 
 Cloud cloud_of(const MeasuredStage& stage, std::size_t count) {
@@ -133,6 +134,7 @@ private:
       Eigen::Vector2d there(at[0], at[1]);
       for (const auto& [node, weight] : row)
         there += weight * Eigen::Vector2d(state_.displacement[node][0], state_.displacement[node][1]);
+      if (!cloud.levelling.empty()) there += Eigen::Vector2d(cloud.levelling[i][0], cloud.levelling[i][1]);
       const Vec2 here = match.current.moved(cloud.current[i]);
       const Vec2 arm =
           match.reference.turned({cloud.reference[i][0] - cloud.centre[0], cloud.reference[i][1] - cloud.centre[1]});
@@ -273,6 +275,22 @@ Match best_trial(const Matcher& matcher, const Cloud& cloud, const FlatMesh& fla
   return best;
 }
 
+// What the facets' averaging adds to the simulated displacements at the present placement: without it the rounded kinks
+// of the measurement would pull at the placement and count as outliers.
+void set_levelling(const FlatMesh& flat, const SimulatedState& state, const RigidMotion& placement, double facet_size,
+                   Cloud& cloud) {
+  std::vector<Vec2> points;
+  for (const Vec2& p : cloud.reference) points.push_back(placement.moved(p));
+  const Sampling point = sample_points(flat, points);
+  const Sampling facet = sample_facets(flat, points, facet_size, 0.5, placement.angle);
+  cloud.levelling.assign(points.size(), {0.0, 0.0});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!point.found(i) || !facet.found(i)) continue;
+    const Vec3 raw = point.value(i, state.displacement), levelled = facet.value(i, state.displacement);
+    cloud.levelling[i] = {levelled[0] - raw[0], levelled[1] - raw[1]};
+  }
+}
+
 }  // namespace
 
 double robust_deviation(std::vector<double> length) {
@@ -283,7 +301,7 @@ double robust_deviation(std::vector<double> length) {
 }
 
 Placement match_field(const MeasuredStage& stage, const Simulation& simulation, const SimulatedState& state,
-                      const RegistrationSpec& spec) {
+                      const RegistrationSpec& spec, double facet_size) {
   if (!stage.gradient.empty())
     throw InputError(
         fmt::format("{}: holds no displacements, so they cannot place it; give marks or axes in "
@@ -292,8 +310,12 @@ Placement match_field(const MeasuredStage& stage, const Simulation& simulation, 
   const FlatMesh& flat = simulation.flat();
   const Matcher matcher(flat, state, spec.motion == "free", spec.reject);
   const Match start = best_trial(matcher, cloud_of(stage, trial_points), flat, stage, spec);
-  const Cloud cloud = cloud_of(stage, final_points);
-  const Match match = matcher.run(cloud, start, final_steps);
+  Cloud cloud = cloud_of(stage, final_points);
+  Match match = matcher.run(cloud, start, final_steps);
+  for (int again = 0; again < 2 && facet_size > 0.0; ++again) {
+    set_levelling(flat, state, match.reference, facet_size, cloud);
+    match = matcher.run(cloud, match, final_steps);
+  }
 
   Placement placement;
   placement.reference = match.reference;
@@ -305,7 +327,8 @@ Placement match_field(const MeasuredStage& stage, const Simulation& simulation, 
   placement.rejected = match.rejected;
   placement.off_fabric = match.off_fabric;
   placement.residual = std::sqrt(match.sum_of_squares / std::max(1, match.used));
-  const double variance = match.sum_of_squares / std::max(1.0, 2.0 * match.used - static_cast<double>(match.normal.rows()));
+  const double variance =
+      match.sum_of_squares / std::max(1.0, 2.0 * match.used - static_cast<double>(match.normal.rows()));
   const Normal covariance = variance * match.normal.inverse();
   placement.angle_error = std::sqrt(covariance(0, 0));
   placement.shift_error = std::sqrt(0.5 * (covariance(1, 1) + covariance(2, 2)));

@@ -7,7 +7,7 @@
 namespace weaveform::dic {
 
 [[nodiscard]] Placement match_field(const MeasuredStage& stage, const Simulation& simulation,
-                                    const SimulatedState& state, const RegistrationSpec& spec);
+                                    const SimulatedState& state, const RegistrationSpec& spec, double facet_size);
 
 // Standard deviation of one component of two-dimensional normal residuals, from the median of their lengths: that is
 // 1.1774 standard deviations (Rayleigh). Outliers below one half do not move it far.

@@ -63,8 +63,8 @@ RigidMotion rigid_fit(const std::vector<Vec2>& from, const std::vector<Vec2>& to
 }
 
 Placement place(const MeasuredStage& stage, const Simulation& simulation, const SimulatedState& state,
-                const RegistrationSpec& spec) {
-  if (spec.method == "least-squares") return match_field(stage, simulation, state, spec);
+                const RegistrationSpec& spec, double facet_size) {
+  if (spec.method == "least-squares") return match_field(stage, simulation, state, spec, facet_size);
   Placement placement;
   if (spec.method == "marks") {
     placement = by_marks(spec);

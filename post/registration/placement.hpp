@@ -34,10 +34,11 @@ struct Placement {
   double angle_error = 0.0, shift_error = 0.0;  // rad, mm; standard errors (least squares)
 };
 
-// By the settings; least squares matches the displacement field of one stage. Throws InputError with the question when
+// By the settings; least squares matches the displacement field of one stage, seen through facets of `facet_size` (mm).
+// Throws InputError with the question when
 // the field does not decide the placement.
 [[nodiscard]] Placement place(const MeasuredStage& stage, const Simulation& simulation, const SimulatedState& state,
-                              const RegistrationSpec& spec);
+                              const RegistrationSpec& spec, double facet_size);
 
 // With a known reference placement, the motion as a whole of another stage (RegistrationSpec::motion = "free").
 [[nodiscard]] RigidMotion follow(const MeasuredStage& stage, const Simulation& simulation, const SimulatedState& state,

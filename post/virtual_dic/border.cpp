@@ -25,14 +25,14 @@ struct Profile {
   double reach, span;
 };
 
-// Border A-B and border B-C on the upper left of a specimen pulled along y (x across); zones.cpp has their lines.
+// Border A-B and border B-C on the upper left of a specimen pulled along y (x across); zones.cpp has their lines. Both
+// begin where they meet, in the middle of zone C's tip, and end at the free edge. The profiles cross them at 0.4 of
+// their length: further out a wide window would look over the free edge, further in over the other border.
 std::array<Profile, 2> profiles_of(const BiasSpecimen& specimen) {
-  const double half = 0.5 * specimen.free_length(), quarter = 0.25 * specimen.width, r = std::sqrt(0.5);
-  const double length = std::min(half, 2.0 * quarter) / r;  // of the shorter of the borders
-  // From the middle of a border B reaches half its length; the other border must stay out of sight.
-  const double reach = 0.42 * length, span = 0.125 * length;
-  return {{{{-0.5 * half, 0.5 * half}, {-r, r}, {r, r}, reach, span},
-           {{-quarter, half + quarter}, {r, r}, {-r, r}, reach, span}}};
+  const double half = 0.5 * specimen.free_length(), r = std::sqrt(0.5);
+  const double length = std::min(half, 0.5 * specimen.width) / r, at = 0.4 * length * r;
+  const double reach = 0.24 * length, span = 0.08 * length;
+  return {{{{-at, half - at}, {-r, r}, {r, r}, reach, span}, {{-at, half + at}, {r, r}, {-r, r}, reach, span}}};
 }
 
 // Across and along the pull to x and y of the blank's frame.
@@ -61,8 +61,9 @@ MeanProfile sample(const Profile& profile, const BiasSpecimen& specimen, const A
   return mean;
 }
 
-double width_of(const MeanProfile& profile) {
-  return step_width(profile.distance, profile.angle);
+// Between the angles that the raw field has on both sides: a wide instrument's own profile need not reach them.
+double width_between(const MeanProfile& profile, const std::array<double, 2>& ends) {
+  return step_width(profile.distance, profile.angle, ends[0], ends[1]);
 }
 
 // Width of the ideal border through the instrument, over a profile long enough for it.
@@ -76,7 +77,7 @@ double ideal_width(double angle, double facet, double step, int window) {
     profile.distance.push_back(s);
     profile.angle.push_back(levelled_angle(field, {s * yarns.g2[0], s * yarns.g2[1]}, facet, step, window, yarns));
   }
-  return width_of(profile);
+  return step_width(profile.distance, profile.angle);
 }
 
 }  // namespace
@@ -109,8 +110,9 @@ BorderStudy border_widths(const std::filesystem::path& result, const std::vector
     return cell < 0 ? std::nan("") : state.shear_angle[static_cast<std::size_t>(cell)];
   };
   const MeanProfile raw_ab = sample(profiles[0], *specimen, raw), raw_bc = sample(profiles[1], *specimen, raw);
-  study.angle = {raw_ab.angle.front(), raw_ab.angle.back(), raw_bc.angle.back()};
-  study.width.push_back({0.0, 0.0, 0, 0.0, width_of(raw_ab), width_of(raw_bc)});
+  const auto ends_ab = end_angles(raw_ab.angle), ends_bc = end_angles(raw_bc.angle);
+  study.angle = {ends_ab[0], ends_ab[1], ends_bc[1]};
+  study.width.push_back({0.0, 0.0, 0, 0.0, width_between(raw_ab, ends_ab), width_between(raw_bc, ends_bc)});
 
   // Linear within a cell; off the fabric there is nothing to see.
   const auto displacement = [&](const Vec2& place) -> Eigen::Vector2d {
@@ -131,8 +133,8 @@ BorderStudy border_widths(const std::filesystem::path& result, const std::vector
       return levelled_angle(displacement, place, facet, step, window, yarns);
     };
     study.width.push_back({facet, step, window, ideal_width(study.angle[0], facet, step, window),
-                           width_of(sample(profiles[0], *specimen, levelled)),
-                           width_of(sample(profiles[1], *specimen, levelled))});
+                           width_between(sample(profiles[0], *specimen, levelled), ends_ab),
+                           width_between(sample(profiles[1], *specimen, levelled), ends_bc)});
   }
   return study;
 }

@@ -21,12 +21,12 @@ struct BorderWidth {
 
 struct BorderStudy {
   double travel = 0.0;               // mm
-  std::array<double, 3> angle = {};  // rad; raw, mean at the profiles' ends in zones A, B and C
+  std::array<double, 3> angle = {};  // rad; raw, mean over the profiles' outer fifths in zones A, B and C
   std::vector<BorderWidth> width;    // first the raw field, then one for each facet size
 };
 
-// Widths (10 to 90 % of the way, see step_width) of profiles across the middle of the borders, averaged along a quarter
-// of the border, in the last frame. Facets overlap by half unless the settings give a step. Throws InputError when the
+// Widths (10 to 90 % of the way, see step_width) of profiles across the middle of the borders, averaged along a part of
+// the border, in the last frame. Facets overlap by half unless the settings give a step. Throws InputError when the
 // scene is no bias extension.
 [[nodiscard]] BorderStudy border_widths(const std::filesystem::path& result, const std::vector<double>& facet_sizes,
                                         const Settings& settings);
