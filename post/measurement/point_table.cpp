@@ -174,9 +174,9 @@ PointTable open_point_table(const std::filesystem::path& file, const TableHints&
     throw InputError(fmt::format("{}: is not plain text; export the points as text (CSV)", table.file));
   Lines lines(table.text, table.text.starts_with("\xEF\xBB\xBF") ? 3 : 0, 1);
   while (lines.advance() && lines.number() <= heading_lines) {
-    std::string_view line = trimmed(lines.line());
+    std::string_view line = lines.line();
     const bool comment = is_comment(line);
-    while (!line.empty() && (line.front() == '#' || line.front() == ' ')) line.remove_prefix(1);
+    while (!line.empty() && (line.front() == '#' || blank(line.front()))) line.remove_prefix(1);
     for (const char delimiter : delimiters_of(hints)) {
       auto cells = split_cells(line, delimiter);
       const bool row = hints.columns > 0 && !comment && all_numbers(cells, hints.columns);

@@ -276,8 +276,9 @@ VirtualMeasurement export_virtual(const fs::path& result, const std::string& for
                                                    ? aramis_text(grid, stage, camera, spec.decimal_comma)
                                                    : dice_text(grid, stage, camera, spec.delimiter.front()));
     travel.push_back(state.travel);
-    loads += fmt::format("{},{}\n", state.travel, state.force);
   }
+  for (std::size_t i = 0; i < simulation.travel().size(); ++i)
+    loads += fmt::format("{},{}\n", simulation.travel()[i], simulation.force()[i]);
   write_text_whole(output / "loads.csv", loads);
   measurement.settings = output / "settings.toml";
   write_text_whole(measurement.settings, settings_text(format, settings, camera, travel));
