@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 #include "mesher/base/error.hpp"
@@ -191,12 +192,26 @@ TEST_F(DicLoop, WritesEveryPromisedFileForEveryStage) {
   make("-o written --set virtual.noise=0.01 --set virtual.stages=2");
   fs::create_directories(path() / "out" / "stages");
   test::write_text("old", path() / "out" / "stages" / "stage_009.csv");
+  test::write_text(test::read_text(path() / "written" / "settings.toml") +
+                       "\n[[zone]]\nname = \"middle\"\nbox = [-15, -15, 15, 15]\n"
+                       "\n[[line]]\nname = \"across\"\nfrom = [0, -20]\nto = [0, 20]\npoints = 11\n",
+                   path() / "written" / "settings.toml");
   const json found = compare("pw", "written", "--set comparison.contour_step=5");
-  for (const char* name : {"stages.csv", "angles.svg", "loads.csv", "loads.svg", "stages/stage_001.csv",
+  for (const char* name : {"stages.csv", "angles.svg", "loads.csv", "loads.svg", "lines.csv", "stages/stage_001.csv",
                            "stages/stage_002.vtu", "stages/stage_002_isolines.vtp"})
     EXPECT_TRUE(fs::is_regular_file(path() / "out" / name)) << name;
   EXPECT_FALSE(fs::exists(path() / "out" / "stages" / "stage_009.csv")) << "a stage of an older comparison";
-  EXPECT_EQ(found["stages"].size(), 2U);
+  ASSERT_EQ(found["stages"].size(), 2U);
+  // The middle of the specimen lies in zone A, and so does the line: their angles are the zone's.
+  const json& zones = found["stages"][1]["zones"];
+  EXPECT_NEAR(zones["middle"]["measured_deg"].get<double>(), zones["A"]["measured_deg"].get<double>(), 2.0);
+  std::istringstream lines(test::read_text(path() / "out" / "lines.csv"));
+  std::string row;
+  std::getline(lines, row);
+  EXPECT_EQ(row, "stage,line,distance_mm,x_mm,y_mm,measured_deg,levelled_deg,raw_deg");
+  int rows = 0;
+  while (std::getline(lines, row)) ++rows;
+  EXPECT_EQ(rows, 22);
 }
 
 // With `free`, a turn and shift of the deformed specimen as a whole is found and does not touch the angles.
