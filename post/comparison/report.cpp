@@ -67,7 +67,7 @@ Json stage_json(const ComparedStage& stage) {
           {"points", stage.points},
           {"rows_without_values", stage.missing},
           {"failed_correlations", stage.failed},
-          {"displacement_uncertainty_mm", stage.displacement_uncertainty},
+          {"displacement_uncertainty_mm", number(stage.displacement_uncertainty)},
           {"uncertainty_estimated", stage.estimated},
           {"deformed_placement", motion_json(stage.current)},
           {"agrees", stage.verdict.agrees},
@@ -162,8 +162,10 @@ Chart angle_chart(const Comparison& c) {
       return zoned ? stage.zone[z] : stage.all;
     };
     const std::string& name = of(c.stage.front()).name;
-    ChartSeries measured{.label = fmt::format("{} measured", name), .mark = ChartMark::points, .colour = static_cast<int>(z)};
-    ChartSeries levelled{.label = fmt::format("{} levelled", name), .mark = ChartMark::line, .colour = static_cast<int>(z)};
+    ChartSeries measured{
+        .label = fmt::format("{} measured", name), .mark = ChartMark::points, .colour = static_cast<int>(z)};
+    ChartSeries levelled{
+        .label = fmt::format("{} levelled", name), .mark = ChartMark::line, .colour = static_cast<int>(z)};
     for (const ComparedStage& stage : c.stage) {
       measured.x.push_back(stage.travel);
       measured.y.push_back(of(stage).measured * degrees);
@@ -207,8 +209,11 @@ std::string verdict_table(const Comparison& c) {
                       c.instrument.facet_size, c.instrument.step, c.instrument.window, c.instrument.window,
                       c.instrument.origin);
   const ComparedStage& last = c.stage.back();
-  text += fmt::format("uncertainty   {:.4f} mm of a displacement component ({}), agreement within {} of them\n",
-                      last.displacement_uncertainty, last.estimated ? "estimated" : "as given", c.coverage);
+  if (std::isfinite(last.displacement_uncertainty))
+    text += fmt::format("uncertainty   {:.4f} mm of a displacement component ({}), agreement within {} of them\n",
+                        last.displacement_uncertainty, last.estimated ? "estimated" : "as given", c.coverage);
+  else
+    text += "uncertainty   unknown: gradients were measured, not displacements\n";
   text += fmt::format("symmetry      {}\n", c.symmetry);
   for (const std::string& note : last.notes) text += fmt::format("reading       {}\n", note);
 
@@ -232,7 +237,8 @@ std::string verdict_table(const Comparison& c) {
   text += fmt::format("{:>10} {:>7} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7} {:>9} {:>7} {:>7}\n", "", "", "deg", "deg",
                       "deg", "diff. deg", "deg", "deg", "deg", "%", "");
   text += statistics_row(last.all);
-  for (const FieldStatistics& zone : last.zone) text += statistics_row(zone);
+  for (const FieldStatistics& zone : last.zone)
+    if (zone.points > 0) text += statistics_row(zone);
   for (const LineProfile& line : last.line)
     text += fmt::format("line {}: 10-90 % width measured {:.2f}, levelled {:.2f}, raw {:.2f} mm\n", line.name,
                         line.measured_width, line.levelled_width, line.raw_width);
@@ -250,7 +256,9 @@ void write_report(const Comparison& c, const fs::path& output) {
     write_text_whole(output / "loads.svg", to_svg(load_chart(c)));
   }
   write_text_whole(output / "angles.svg", to_svg(angle_chart(c)));
-  write_text_whole(output / "comparison.json", comparison_json(c).dump(2) + "\n");
+  // Names from headers may be in any encoding; what is not UTF-8 becomes a replacement character.
+  const std::string text = comparison_json(c).dump(2, ' ', false, Json::error_handler_t::replace);
+  write_text_whole(output / "comparison.json", text + "\n");
 }
 
 }  // namespace weaveform::dic

@@ -81,14 +81,17 @@ Instrument settle_instrument(const InstrumentSpec& spec, const MeasuredStage& st
   } else if (stage.header_facet > 0.0 && stage.header_step > 0.0) {
     instrument.facet_size = stage.header_facet / stage.header_step * instrument.step;
     instrument.origin += fmt::format(", facet: header's {} px at {} px of step", stage.header_facet, stage.header_step);
-  } else if (!stage.gradient.empty()) {
-    instrument.origin += ", facet: 0 (measured gradients)";
   } else {
     throw InputError(
         fmt::format("{}: how large is a facet (subset) on the specimen, in mm? the header does not tell; set "
                     "facet_size of [instrument] (0 for none)",
                     stage.label));
   }
+  if (!stage.gradient.empty() && !spec.window)
+    throw InputError(fmt::format(
+        "{}: over how many points across were its deformation gradients fitted? the file does not tell; set "
+        "window of [instrument]",
+        stage.label));
   instrument.window = spec.window ? static_cast<int>(*spec.window) : stage.window.value_or(5);
   instrument.origin += spec.window    ? ", window as given"
                        : stage.window ? ", window: header's"
@@ -138,8 +141,9 @@ StageFields compare_stage(const MeasuredStage& stage, const RigidMotion& current
                                   [](const Vec3& u) { return u[2] != 0.0 && std::isfinite(u[2]); })
                           ? 3
                           : 2;
-  if (!gradients) fields.fit.resize(count);
+  fields.displacement_uncertainty = none;
   if (!gradients) {
+    fields.fit.resize(count);
     fields.estimated = !instrument.uncertainty;
     fields.displacement_uncertainty =
         instrument.uncertainty ? *instrument.uncertainty : estimated_uncertainty(*points, fields, instrument);

@@ -21,7 +21,7 @@ struct Instrument {
   std::string origin;                 // where the numbers come from, in words
 };
 
-// Throws InputError with the question when the facet size is unknown.
+// Throws InputError with the question when the facet size, or the window of measured gradients, is unknown.
 [[nodiscard]] Instrument settle_instrument(const InstrumentSpec& spec, const MeasuredStage& stage);
 
 // What depends on the points only and is kept from stage to stage.

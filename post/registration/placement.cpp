@@ -33,9 +33,9 @@ Placement by_marks(const RegistrationSpec& spec) {
 // The blank's x axis points at `angle` in the measurement, so the measurement turns back by it.
 RigidMotion by_axes(const Vec2& origin, double angle) {
   RigidMotion motion;
-  motion.angle = -angle;
+  motion.angle = 0.0 - angle;  // 0 stays 0, not -0
   const Vec2 turned = motion.turned(origin);
-  motion.shift = {-turned[0], -turned[1]};
+  motion.shift = {0.0 - turned[0], 0.0 - turned[1]};
   return motion;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 
 #include "mesher/base/error.hpp"
@@ -22,7 +21,6 @@ namespace weaveform::dic {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // The instrument with lengths that are whole pixels.
 struct Camera {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "mesher/base/error.hpp"
@@ -296,6 +297,49 @@ TEST_F(DicReader, RefusesWhatCannotBeDecided) {
       says(refusal("window_x,window_y,x_mm,y_mm,z_mm,def_grad_00,def_grad_01,def_grad_10,def_grad_11,def_grad_20\n"
                    "1,1,1,1,1,1,0,0,1,0\n"),
            "compare pyvale's displacement file"));
+}
+
+// Damaged files are read or refused with a reason; nothing else comes out of a reader.
+TEST_F(DicReader, DamagedFilesAreReadOrRefused) {
+  spec.pixel_size = 0.1;
+  spec.length_unit = "auto";
+  int refused = 0;
+  for (const char* name : {"aramis_sample.txt", "dice_full_field.txt", "dice_dogbone.txt"}) {
+    const std::string whole = test::read_text(std::string(WEAVEFORM_SOURCE_DIR) + "/tests/data/dic/" + name);
+    std::mt19937 random(5);
+    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    for (int k = 0; k < 150; ++k) {
+      std::string text = whole;
+      for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
+        const std::size_t at = below(text.size());
+        switch (below(3)) {
+          case 0:
+            text[at] = ";,.\n|# -eE019\xFF\""[below(15)];
+            break;
+          case 1:
+            text.erase(at, 1 + below(300));
+            break;
+          default:
+            text.insert(at, text.substr(at, 1 + below(100)));
+        }
+        if (text.empty()) text = "x";
+      }
+      write_text(text, folder_.path() / "damaged.txt");
+      try {
+        for (const MeasuredStage& stage : read_stages(folder_.path() / "damaged.txt", spec)) {
+          ASSERT_EQ(stage.valid.size(), stage.reference.size());
+          for (std::size_t i = 0; i < stage.size(); ++i)
+            if (stage.valid[i]) {
+              ASSERT_TRUE(std::isfinite(stage.reference[i][0] + stage.displacement_field[i][1]));
+            }
+        }
+      } catch (const InputError& error) {
+        ++refused;
+        EXPECT_TRUE(says(error.what(), "damaged.txt")) << error.what();
+      }
+    }
+  }
+  EXPECT_GT(refused, 20);
 }
 
 TEST_F(DicReader, FoldersAreReadInTheOrderOfTheirNumbers) {
