@@ -2,28 +2,14 @@
 // show).
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <vector>
 
-#include "post/comparison/settings.hpp"
+#include "post/dic_settings/settings.hpp"
+#include "post/virtual_dic/rigid_motion.hpp"
 #include "post/virtual_dic/simulation.hpp"
 
 namespace weaveform::dic {
-
-// blank = R(angle) measurement + shift
-struct RigidMotion {
-  double angle = 0.0;  // rad
-  Vec2 shift = {0.0, 0.0};
-  [[nodiscard]] Vec2 turned(const Vec2& p) const {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
-  }
-  [[nodiscard]] Vec2 moved(const Vec2& p) const {
-    const Vec2 t = turned(p);
-    return {t[0] + shift[0], t[1] + shift[1]};
-  }
-};
 
 struct Placement {
   RigidMotion reference;                        // of the undeformed specimen

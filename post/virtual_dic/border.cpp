@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "mesher/base/error.hpp"
-#include "post/comparison/compare.hpp"
 #include "post/measure/bias_extension.hpp"
 #include "post/virtual_dic/simulation.hpp"
+#include "post/virtual_dic/step_width.hpp"
 
 namespace weaveform::dic {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "post/comparison/settings.hpp"
+#include "post/dic_settings/settings.hpp"
 #include "post/virtual_dic/facet.hpp"
 #include "post/virtual_dic/strain_window.hpp"
 

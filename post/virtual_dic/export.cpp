@@ -11,9 +11,10 @@
 #include "mesher/base/error.hpp"
 #include "mesher/base/key_value.hpp"
 #include "mesher/base/nearest_name.hpp"
-#include "post/registration/placement.hpp"
 #include "post/virtual_dic/facet.hpp"
 #include "post/virtual_dic/noise.hpp"
+#include "post/virtual_dic/rigid_motion.hpp"
+#include "post/virtual_dic/simulation.hpp"
 #include "post/virtual_dic/strain_window.hpp"
 #include "solver/result/whole_file.hpp"
 
@@ -173,9 +174,8 @@ std::string aramis_text(const Grid& grid, const VirtualStage& stage, const Camer
       for (int k = 0; k < 7; ++k) fmt::format_to(put, ";");
     } else {
       const Vec3 e = strains_at(grid, stage, valid, i);
-      const double equivalent = 2.0 / 3.0 *
-                                std::sqrt(3.0 * (e[0] * e[0] + e[1] * e[1] - e[0] * e[1] + 3.0 * e[2] * e[2]) / 1.0) /
-                                std::sqrt(3.0);
+      // von Mises, at constant volume: sqrt(2/3 e:e) with e_zz = -(e_xx + e_yy).
+      const double equivalent = std::sqrt(4.0 / 3.0 * (e[0] * e[0] + e[0] * e[1] + e[1] * e[1] + e[2] * e[2]));
       const Vec3& u = stage.displacement[i];
       fmt::format_to(put, FMT_COMPILE(";{:21.12f};{:21.12f};{:21.12f};{:21.12f};{:21.12f};{:21.12f};{:21.12f}"), u[0],
                      u[1], u[2], 100.0 * e[0], 100.0 * e[1], e[2], 100.0 * equivalent);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "post/comparison/settings.hpp"
+#include "post/dic_settings/settings.hpp"
 
 namespace weaveform::dic {
 

@@ -239,6 +239,29 @@ TEST_F(DicLoop, FollowsASpecimenThatMovedAsAWhole) {
   EXPECT_NEAR(followed.angle, -truth.angle, 1e-3);
 }
 
+// Points that are wrong by up to 20 mm and not flagged do not move the placement; they are counted.
+TEST_F(DicLoop, OutliersAreRejectedAndCounted) {
+  make(
+      "--format dice -o outliers --set virtual.noise=0.01 --set virtual.fail=0.1 --set virtual.stages=1 --set "
+      "virtual.rotation=12 --set virtual.shift=[90,-150]");
+  const dic::Simulation simulation(path() / "pw", "");
+  const auto state = simulation.at_frame(simulation.frame_count() - 1);
+  dic::MeasurementSpec measurement;
+  measurement.pixel_size = 0.1;
+  auto stage = dic::read_stages(path() / "outliers" / "stages" / "stage_001.txt", measurement).front();
+  ASSERT_GT(stage.failed, 100);
+  stage.valid.assign(stage.size(), true);
+  const auto placement = dic::place(stage, simulation, state, {}, 6.0);
+  EXPECT_NEAR(placement.reference.angle, -12.0 * degree, 5.0 * placement.angle_error);
+  const dic::Vec2 centre = placement.reference.moved({90.0, -150.0});
+  EXPECT_NEAR(centre[0], 0.0, 5.0 * placement.shift_error + 0.002);
+  EXPECT_NEAR(centre[1], 0.0, 5.0 * placement.shift_error + 0.002);
+  // A wrong point is wrong by chance; few are right within 4 standard deviations of the noise, and few right ones are
+  // not.
+  EXPECT_NEAR(placement.rejected, stage.failed, 0.02 * static_cast<double>(stage.size()));
+  EXPECT_LT(placement.residual, 1.6 * 0.01 * std::sqrt(2.0));
+}
+
 // A sharp border through an instrument: the width of the closed form's profile (dic_instrument_test.cpp) in proportion
 // to the instrument; and a simulated border seen through it is never narrower than the instrument makes a sharp one.
 TEST_F(DicLoop, BorderWidthsGrowInProportionToTheInstrument) {

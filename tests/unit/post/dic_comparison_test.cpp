@@ -9,6 +9,7 @@
 #include "mesher/base/error.hpp"
 #include "post/comparison/compare.hpp"
 #include "post/comparison/triangulation.hpp"
+#include "post/virtual_dic/step_width.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "post/comparison/settings.hpp"
+#include "post/dic_settings/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -409,7 +409,7 @@ Settings read_settings(const std::string& file, const std::vector<std::string>& 
 std::string settings_reference_markdown() {
   std::string text =
       "# Settings of the DIC comparison\n\n"
-      "Printed by `weaveform post compare --keys` from the key table in `post/comparison/settings.cpp`. The file is "
+      "Printed by `weaveform post compare --keys` from the key table in `post/dic_settings/settings.cpp`. The file is "
       "TOML; every key may be left out unless it is required. `\"auto\"` lets the program choose. `--set "
       "TABLE.KEY=VALUE` replaces any value but those of lists of tables. [dic.md](dic.md) tells how they are used.\n";
   for (const Table& table : tables()) {
