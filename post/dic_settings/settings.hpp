@@ -1,5 +1,5 @@
 // The settings file of `weaveform post compare`, `virtual` and `border`: everything a comparison needs to be told, as
-// plain data. settings.cpp names each key with unit, type and range; docs/dic_settings.md is made from it.
+// plain data. schema.cpp names each key with unit, type and range; docs/dic_settings.md is made from it.
 #pragma once
 
 #include <array>
@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/key_info.hpp"
 #include "post/measurement/measurement.hpp"
 
 namespace weaveform::dic {
