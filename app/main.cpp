@@ -20,6 +20,7 @@ int run_command(int argc, char** argv) {
   program.require_subcommand(1);
   weaveform::add_run_command(program);
   weaveform::add_mesh_command(program);
+  weaveform::add_drape_command(program);
   weaveform::add_solve_command(program);
   weaveform::add_post_command(program);
   weaveform::add_check_command(program);

@@ -15,6 +15,7 @@ void add_mesh_command(CLI::App& program);
 void add_solve_command(CLI::App& program);
 void add_post_command(CLI::App& program);
 void add_check_command(CLI::App& program);
+void add_drape_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
 void add_chart_command(CLI::App& program);
 void add_keys_command(CLI::App& program);

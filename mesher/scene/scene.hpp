@@ -89,6 +89,18 @@ struct ToolSpec {
   bool operator==(const ToolSpec&) const = default;
 };
 
+// The blank starts draped over a tool: a pin-jointed net of inextensible yarns (mesher/drape/).
+struct DrapeSpec {
+  std::string tool;                                     // name of its table, [tools.NAME]
+  std::array<double, 2> anchor = {0.0, 0.0};            // mm; blank's frame: the nearest crossing is laid on the seed
+  std::optional<std::array<double, 3>> seed;            // mm; world; none: the anchor projected on the tool
+  std::array<double, 3> projection = {0.0, 0.0, -1.0};  // way of that projection
+  std::optional<std::array<double, 3>> warp_direction;  // at the seed; none: that of the flat blank
+  std::vector<std::vector<double>> warp_curve;          // mm; points of the warp yarn through the seed; none: geodesic
+  std::vector<std::vector<double>> weft_curve;          // mm; the same for the weft
+  bool operator==(const DrapeSpec&) const = default;
+};
+
 struct AnalysisSpec {
   Auto duration;                 // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
   Auto loading_speed;            // mm/s; greatest speed of any grip; an alternative to duration
@@ -126,6 +138,7 @@ struct Scene {
   std::vector<GripSpec> grip;
   std::optional<FrameSpec> frame;
   std::vector<ToolSpec> tools;  // in the order of their names
+  std::optional<DrapeSpec> drape;
   AnalysisSpec analysis;
   OutputSpec output;
   std::vector<MeasureSpec> measure;
