@@ -129,7 +129,7 @@ std::vector<DrapePlace> unreachable_places(const DrapedNet& net, const Lattice& 
   const NetBox& box = net.box;
   std::vector<char> marked(net.placed.size(), 0);
   for (std::size_t k = 0; k < marked.size(); ++k)
-    marked[k] = net.placed[k] != Placed::yes && net.placed[k] != Placed::unwanted ? 1 : 0;
+    marked[k] = net.placed[k] != Placed::yes && (lattice.wanted[k] != 0 || net.placed[k] == Placed::nothing) ? 1 : 0;
   std::vector<DrapePlace> places;
   for (const Region& region : connected_regions(marked, box.size, lattice.seed)) {
     const int i = region.first[0] + box.low[0], j = region.first[1] + box.low[1];
@@ -142,7 +142,7 @@ std::vector<DrapePlace> unreachable_places(const DrapedNet& net, const Lattice& 
       break;
     }
     const bool border = net.placed[box.index(i, j)] == Placed::border;
-    places.push_back({border ? "the net meets the surface's border or a hole; crossings beyond it have no place"
+    places.push_back({border ? "the net meets the surface's border or a hole; the crossings there have no place"
                              : "the net finds no point of the surface within its yarns' length; crossings from here on "
                                "have no place",
                       array_of(at), region.count});
@@ -193,9 +193,12 @@ Drape drape_blank(const Scene& scene, const Mesh& mesh) {
   drape.tool = scene.drape->tool;
   drape.seed = array_of(start.net.seed);
   drape.position.assign(mesh.node_count(), array_of(Vector3d::Constant(std::nan(""))));
+  drape.carried = drape.position;
   drape.placed.assign(mesh.node_count(), 0);
   for (int n = 0; n < mesh.node_count(); ++n) {
-    if (mesh.nodes.crossing[n][0] < 0 || net.placed[lattice.index[n]] != Placed::yes) continue;
+    if (mesh.nodes.crossing[n][0] < 0) continue;
+    if (net.placed[lattice.index[n]] == Placed::border) drape.carried[n] = array_of(net.position[lattice.index[n]]);
+    if (net.placed[lattice.index[n]] != Placed::yes) continue;
     drape.position[n] = array_of(net.position[lattice.index[n]]);
     drape.placed[n] = 1;
   }

@@ -29,6 +29,7 @@ struct Drape {
   std::array<double, 3> seed = {0.0, 0.0, 0.0};  // mm; of the fabric's middle plane
   std::vector<std::array<double, 3>> position;   // mm; per node; not a number where there is no place
   std::vector<char> placed;                      // per node
+  std::vector<std::array<double, 3>> carried;    // mm; per node: of crossings beyond a border, else not a number
   std::vector<double> shear_angle;               // rad; per cell, not a number unless all its nodes have a place
   std::vector<char> folded;                      // per cell: its orientation is against the tool's normal
   std::vector<DrapePlace> unreachable, folds, tight;

@@ -88,21 +88,19 @@ private:
   [[nodiscard]] Point cut(const Edge& edge) const {
     const std::size_t f = static_cast<std::size_t>(edge[2]);
     const std::array<int, 2> low = {edge[0], edge[1]};
-    std::array<int, 2> high = low, back = low;
+    std::array<int, 2> high = low;
     ++high[f];
     const bool forward = inside(low);
     const std::array<int, 2> from = forward ? low : high, to = forward ? high : low;
-    back = from;
-    back[f] -= to[f] - from[f];
     const int n = node_at(from);
     const Point flat = blank_point(mesh_.nodes.position[n]);
     const int stub = end_[2 * f + (forward ? 0 : 1)][index(from)];
     double length = 0.0;
     if (node_at(to) < 0 && stub >= 0) {
       length = mesh_.yarns.rest_length[stub];
-    } else if (node_at(to) >= 0 && inside(back)) {
+    } else if (node_at(to) >= 0 && !std::isnan(drape_.carried[node_at(to)][0])) {
       const Vector3d x = vector_of(drape_.position[n]);
-      length = length_on_surface(*start_.surface, x, x - vector_of(drape_.position[node_at(back)]), mesh_.spacing[f]);
+      length = length_on_surface(*start_.surface, x, vector_of(drape_.carried[node_at(to)]) - x, mesh_.spacing[f]);
     }
     const double angle = scene_.blank.yarn_angle * std::numbers::pi / 180.0 + (f == 0 ? 0.0 : 0.5 * std::numbers::pi);
     const double way = forward ? length : -length;

@@ -39,11 +39,7 @@ Generator geodesic(const DrapeSurface& surface, const Vector3d& seed, const Vect
     const Vector3d last = result.node.empty() ? seed : result.node.back();
     const Circle circle = march_circle(surface, x, ahead, step, hint);
     Vector3d next;
-    const CircleMeets met = meet(surface, circle, next, hint);
-    if (met != CircleMeets::surface) {
-      result.border = met == CircleMeets::border;
-      return result;
-    }
+    if (meet(surface, circle, next, hint) == CircleMeets::nothing) return result;
     if ((next - last).norm() >= chord) {
       // The node lies in this step: its length h such that |x(h) - last| = chord, by the secant method.
       double h0 = 0.0, h1 = step, f0 = (x - last).norm() - chord, f1 = (next - last).norm() - chord;
@@ -52,7 +48,7 @@ Generator geodesic(const DrapeSurface& surface, const Vector3d& seed, const Vect
         Circle part = circle;
         part.radius = std::clamp(h1 - f1 * (h1 - h0) / (f1 - f0), 1e-14 * step, 1.5 * step);
         Vector3d at;
-        if (meet(surface, part, at, hint) != CircleMeets::surface) break;
+        if (meet(surface, part, at, hint) == CircleMeets::nothing) break;
         h0 = h1;
         f0 = f1;
         h1 = part.radius;
@@ -60,6 +56,7 @@ Generator geodesic(const DrapeSurface& surface, const Vector3d& seed, const Vect
         node = at;
       }
       result.node.push_back(node);
+      result.beyond.push_back(surface.at(node, hint).beyond ? 1 : 0);
     }
     ahead = next - x;  // the march itself goes on in full steps, wherever nodes lie
     x = next;
@@ -75,7 +72,7 @@ Generator along_curve(const DrapeSurface& surface, const Vector3d& seed, const s
   point.insert(point.end(), curve.begin(), curve.end());
   const auto at = [&](std::size_t piece, double t, Vector3d& x) {
     x = (1.0 - t) * point[piece] + t * point[piece + 1];
-    return project(surface, x, hint);
+    return project(surface, x, hint);  // a curve that leaves the surface ends there, the geodesic goes on
   };
   std::size_t piece = 0;
   double t = 0.0;
@@ -90,8 +87,8 @@ Generator along_curve(const DrapeSurface& surface, const Vector3d& seed, const s
       const double step = length > 0.0 ? std::min(1.0, chord / steps_per_chord / length) : 1.0;
       double to = std::min(1.0, from + step);
       if (!at(piece, to, x)) {
-        result.border = true;
-        return result;
+        piece = point.size();
+        break;
       }
       if ((x - last).norm() >= chord) {
         for (int n = 0; n < 60; ++n) {
@@ -112,12 +109,13 @@ Generator along_curve(const DrapeSurface& surface, const Vector3d& seed, const s
       const Vector3d ahead = last == before ? x - last : last - before;
       Generator rest = geodesic(surface, last, ahead, chord, count - static_cast<int>(result.node.size()));
       result.node.insert(result.node.end(), rest.node.begin(), rest.node.end());
-      result.border = rest.border;
+      result.beyond.insert(result.beyond.end(), rest.beyond.begin(), rest.beyond.end());
       return result;
     }
     before = last;
     last = x;
     result.node.push_back(x);
+    result.beyond.push_back(0);
   }
   return result;
 }

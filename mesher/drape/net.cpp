@@ -65,9 +65,10 @@ void lay_generators(const DrapeSurface& surface, const NetStart& start, const st
                         : along_curve(surface, start.seed, curve, start.spacing[f], count);
       const int laid = static_cast<int>(yarn.node.size());
       for (int k = 1; k <= count; ++k) {
-        if (k <= laid) net.position[at(k)] = yarn.node[k - 1];
-        const Placed missing = k > laid + 1 ? Placed::behind : (yarn.border ? Placed::border : Placed::nothing);
-        net.placed[at(k)] = k <= laid ? Placed::yes : missing;
+        net.placed[at(k)] = k > laid + 1 ? Placed::behind : Placed::nothing;
+        if (k > laid) continue;
+        net.position[at(k)] = yarn.node[k - 1];
+        net.placed[at(k)] = yarn.beyond[k - 1] != 0 ? Placed::border : Placed::yes;
       }
     }
 }
@@ -109,8 +110,8 @@ void fill_quarter(const DrapeSurface& surface, const NetStart& start, const Quar
       if (needed[here] == 0) continue;
       const std::size_t corner = box.index(q.i * (a - 1), q.j * (b - 1)), below = box.index(q.i * a, q.j * (b - 1)),
                         beside = box.index(q.i * (a - 1), q.j * b);
-      const bool known =
-          net.placed[corner] == Placed::yes && net.placed[below] == Placed::yes && net.placed[beside] == Placed::yes;
+      const auto carries = [&](std::size_t k) { return net.placed[k] == Placed::yes || net.placed[k] == Placed::border; };
+      const bool known = carries(corner) && carries(below) && carries(beside);
       net.placed[here] = known ? fourth(surface, start, net.position[corner], net.position[below],
                                         net.position[beside], net.position[here], hint)
                                : Placed::behind;

@@ -162,6 +162,7 @@ DrapeStart drape_start(const Scene& scene, const Mesh& mesh) {
   const DrapeSpec& drape = *scene.drape;
   DrapeStart start;
   const Tool tool = named_tool(scene, mesh.thickness);
+  start.crossing = nearest_crossing(scene, mesh);
   start.offset = tool.offset;
   start.surface = std::make_unique<ToolSurface>(tool, tool.offset);
   const double spacing = std::min(mesh.spacing[0], mesh.spacing[1]);
@@ -176,7 +177,6 @@ DrapeStart drape_start(const Scene& scene, const Mesh& mesh) {
   if (!drape.warp_curve.empty()) net.curve[0] = cut_at_seed(scene, drape.warp_curve, "warp_curve", net.seed, tolerance);
   if (!drape.weft_curve.empty()) net.curve[1] = cut_at_seed(scene, drape.weft_curve, "weft_curve", net.seed, tolerance);
   net.warp = warp_direction(scene, net, outward);
-  start.crossing = nearest_crossing(scene, mesh);
   return start;
 }
 

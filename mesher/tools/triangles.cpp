@@ -138,6 +138,11 @@ int TriangleSurface::size() const {
   return static_cast<int>(tree_->triangles.size());
 }
 
+std::array<double, 3> TriangleSurface::face_normal(int triangle) const {
+  const Vector& normal = tree_->pseudo_normal[triangle][6];
+  return {normal.x(), normal.y(), normal.z()};
+}
+
 SurfaceDistance TriangleSurface::distance(const std::array<double, 3>& point, int hint) const {
   const Point p(point[0], point[1], point[2]);
   const auto guess = tree_->triangles.cbegin() + std::clamp(hint, 0, size() - 1);

@@ -37,6 +37,8 @@ public:
   // Inside or outside follows from the angle-weighted pseudo-normal of the closest face, edge or vertex (Baerentzen and
   // Aanaes 2005, "Signed distance computation using the angle weighted pseudonormal"), right for every closed surface.
   [[nodiscard]] SurfaceDistance distance(const std::array<double, 3>& point, int hint = 0) const;
+  // Unit, outward; of one triangle.
+  [[nodiscard]] std::array<double, 3> face_normal(int triangle) const;
   [[nodiscard]] int size() const;
 
 private:

@@ -4,7 +4,10 @@
 
 #include <array>
 #include <chrono>
-#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "mesher/drape/sphere_net.hpp"
 #include "tests/support/drape_case.hpp"
@@ -144,7 +147,6 @@ TEST(DrapeNet, DevelopableSurfacesAreShearFreeInSecondOrder) {
     start.warp = c * down.normalized() + s * Vector3d(1.0, 0.0, 0.0);
     for (const auto& worst :
          {invented(ToolSurface(cylinder, 0.0), on_cylinder, 60.0), invented(ToolSurface(cone, 0.0), start, 40.0)}) {
-      std::printf("turn %g: %g %g %g deg\n", turn, worst[0] / deg, worst[1] / deg, worst[2] / deg);
       EXPECT_LT(worst[2], 0.2 * deg);
       for (int level = 0; level < 2; ++level)
         EXPECT_TRUE(worst[level] < 1e-9 || std::log2(worst[level] / worst[level + 1]) > 1.85) << turn;
@@ -204,7 +206,6 @@ TEST(DrapeNet, ShearIsTheIntegralOfTheGaussianCurvature) {
         greatest = std::max(greatest, std::abs(angle));
       }
   }
-  std::printf("integral: %g %g %g deg of %g\n", error[0] / deg, error[1] / deg, error[2] / deg, greatest / deg);
   EXPECT_GT(greatest, 5.0 * deg);
   for (int level = 0; level < 2; ++level) EXPECT_GT(std::log2(error[level] / error[level + 1]), 1.8);
 }
@@ -226,22 +227,98 @@ TEST(DrapeNet, FoldsOnTheSphereWhereTheExactNetReachesNinetyDegrees) {
       }
     for (int k = 0; k < cells && last == 0.0; ++k)
       if (cell_orientation(net, sphere, k, k) < 0.0) last = (k + 0.5) * h / radius;
-    std::printf("fold: cells %d first %g (theory %g) diagonal %g (theory %g)\n", cells, first, sphere_net_fold(), last,
-                std::sqrt(sphere_net_fold()));
+    // along the diagonal within two cells; the first fold anywhere within 1.5 % of uv
+    EXPECT_NEAR(last, std::sqrt(sphere_net_fold()), 2.0 * h / radius);
+    EXPECT_NEAR(first, sphere_net_fold(), 0.015 * sphere_net_fold());
   }
 }
 
-TEST(DrapeNet, HowFast) {
+// An icosahedron whose triangles are cut in four and blown up to the sphere, again and again.
+TriangleList ball_of_triangles(double radius, int levels) {
+  const double g = 0.5 * (1.0 + std::sqrt(5.0));
+  TriangleList ball;
+  ball.point = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
+                {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  ball.triangle = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
+                   {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<int, int>, int> middle;
+    const auto between = [&](int a, int b) {
+      const auto [found, is_new] = middle.emplace(std::minmax(a, b), static_cast<int>(ball.point.size()));
+      const auto &p = ball.point[a], &q = ball.point[b];
+      if (is_new) ball.point.push_back({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])});
+      return found->second;
+    };
+    std::vector<std::array<int, 3>> finer;
+    for (const auto& t : ball.triangle) {
+      const int a = between(t[0], t[1]), b = between(t[1], t[2]), c = between(t[2], t[0]);
+      finer.insert(finer.end(), {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
+    }
+    ball.triangle = finer;
+    for (auto& p : ball.point) {
+      const double size = std::hypot(p[0], p[1], p[2]);
+      for (double& x : p) x *= radius / size;
+    }
+  }
+  return ball;
+}
+
+TEST(DrapeNet, TrianglesTendToTheSphereAsTheirFacetsShrink) {
+  const double radius = 75.0;
+  std::vector<double> angle_error, place_error;
+  double rate = 0.0;
+  for (const int levels : {4, 5, 6}) {  // facets of about 5, 2.6 and 1.3 mm
+    Tool ball = tool_of(ToolShape::triangles, 0.0);
+    ball.surface = std::make_shared<TriangleSurface>(ball_of_triangles(radius - 0.25, levels), "ball");
+    const ToolSurface surface(ball, 0.25);
+    NetStart start;
+    start.seed = radius * Vector3d(0.3, 0.2, 1.0).normalized();
+    int hint = 0;
+    ASSERT_TRUE(project(surface, start.seed, hint));
+    // along the sphere: the part of it across the surface would turn with the normal of the facet the seed happens to lie
+    // on
+    start.warp = Vector3d(1.0, 0.2, 0.0).cross(start.seed);
+    start.spacing = {5.0, 5.0};
+    const int cells = 12;  // uv/R^2 up to 0.64
+    const auto begin = std::chrono::steady_clock::now();
+    const DrapedNet net = drape_all(surface, start, square_box(cells));
+    rate = 4.0 * cells * cells / std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    EXPECT_LT(length_error(net, start), 1e-9);
+    const ImplicitSurface smooth = sphere_surface(radius);
+    NetStart exact = start;
+    exact.seed = radius * start.seed.normalized();
+    const DrapedNet reference = drape_all(smooth, exact, square_box(cells));
+    double angle = 0.0, place = 0.0;
+    for (int j = -cells; j < cells; ++j)
+      for (int i = -cells; i < cells; ++i) {
+        angle = std::max(angle, std::abs(cell_angle(net, i, j) - cell_angle(reference, i, j)));
+        const std::size_t k = net.box.index(i, j);
+        place = std::max(place, (net.position[k] - reference.position[k]).norm());
+      }
+    angle_error.push_back(angle);
+    place_error.push_back(place);
+  }
+  for (std::size_t level = 0; level < 2; ++level) {
+    // facet normals are of first order, heights of second; how facets lie under the net makes the ratios uneven
+    EXPECT_GT(angle_error[level] / angle_error[level + 1], 1.8);
+    EXPECT_GT(place_error[level] / place_error[level + 1], 2.5);
+  }
+  EXPECT_LT(angle_error[2], 0.1 * deg);
+  RecordProperty("cells_per_s", std::to_string(rate));
+}
+
+TEST(DrapeNet, LaysMoreThanAHundredThousandCellsASecondOnASphere) {
   const ToolSurface surface(tool_of(ToolShape::sphere, 75.0), 0.0);
   NetStart start;
   start.seed = {0.0, 0.0, -75.0};
   start.normal = {0.0, 0.0, -1.0};
-  start.spacing = {0.1, 0.1};
+  start.spacing = {0.25, 0.25};
   const auto begin = std::chrono::steady_clock::now();
-  const DrapedNet net = drape_all(surface, start, square_box(300));
+  const DrapedNet net = drape_all(surface, start, square_box(200));
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::printf("%g cells/s\n", 360000 / wall);
-  EXPECT_GT(360000 / wall, 1e5);
+  EXPECT_GT(160000 / wall, 1e5);  // measured: 2 to 5 million
+  RecordProperty("cells_per_s", std::to_string(160000 / wall));
 }
 
 }  // namespace
