@@ -97,7 +97,7 @@ const std::vector<Key<ToolSpec>> tool_keys = {
          .allowed = {"plane", "sphere", "cylinder", "ring", "revolved", "triangles"},
          .required = true,
          .doc = "`plane`; `sphere` with a shank of its radius up the axis; endless `cylinder`; `ring`: a plate with a "
-                "rounded opening; `revolved`: a profile turned about the axis; `triangles`: an STL surface"}),
+                "rounded opening; `revolved`: a profile turned about the axis; `triangles`: a surface from an STL or CAD file"}),
     key<&ToolSpec::position>(
         {.name = "position",
          .unit = "mm",
@@ -126,7 +126,18 @@ const std::vector<Key<ToolSpec>> tool_keys = {
              "and last line go on for ever beyond an end off the axis"}),
     key<&ToolSpec::file>(
         {.name = "file",
-         .doc = "STL surface of a tool of triangles, mm, outside counter-clockwise; relative to the scene file"}),
+         .doc = "surface of a tool of triangles, relative to the scene file: STL (outside counter-clockwise), or CAD "
+                "through Gmsh: STEP, IGES, BREP, .geo (made to face outward, open ones to the blank)"}),
+    key<&ToolSpec::chord_tolerance>(
+        {.name = "chord_tolerance",
+         .unit = "mm",
+         .limits = above(0),
+         .doc = "of triangles made from CAD: greatest distance from the true surface"}),
+    key<&ToolSpec::unit>({.name = "unit",
+                          .allowed = {"mm", "cm", "m", "inch"},
+                          .doc = "of an STL file, which names none; left out: mm, and refused when the tool is then out of "
+                                 "all proportion to the blank. STEP and IGES bring their own"}),
+    key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
     key<&ToolSpec::travel>({.name = "travel",
                             .unit = "mm",
                             .doc = "way along `direction` over the duration; 0 stays, or follows `force`"}),
