@@ -1,4 +1,6 @@
 // weaveform drape SCENE: the blank draped on its tool, as a result in itself; no mechanics.
+#include "mesher/drape/drape.hpp"
+
 #include <filesystem>
 #include <memory>
 
@@ -7,7 +9,6 @@
 #include "app/result_folder.hpp"
 #include "app/stages.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/drape/drape.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/output/drape_result.hpp"

@@ -1,4 +1,5 @@
-// weaveform tool FILE: what a tool's surface is and what is wrong with it, by place; and as STL, STEP or BREP for others.
+// weaveform tool FILE: what a tool's surface is and what is wrong with it, by place; and as STL, STEP or BREP for
+// others.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -26,19 +27,20 @@ std::string stl_text(const TriangleList& list) {
   std::string text = "solid weaveform\n";
   for (const auto& t : list.triangle) {
     text += "facet normal 0 0 0\nouter loop\n";
-    for (const int n : t) text += fmt::format("vertex {} {} {}\n", list.point[n][0], list.point[n][1], list.point[n][2]);
+    for (const int n : t)
+      text += fmt::format("vertex {} {} {}\n", list.point[n][0], list.point[n][1], list.point[n][2]);
     text += "endloop\nendfacet\n";
   }
   return text + "endsolid weaveform\n";
 }
 
 std::string describe_surface(const ToolArguments& arguments, const TriangleReport& report, double chord_error) {
-  std::string text = fmt::format("{}: {} triangles in {} piece{}, {:.6g} x {:.6g} x {:.6g} mm, area {:.6g} mm2, {}",
-                                 arguments.file, report.triangles, report.pieces, report.pieces == 1 ? "" : "s",
-                                 report.high[0] - report.low[0], report.high[1] - report.low[1],
-                                 report.high[2] - report.low[2], report.area,
-                                 report.closed ? fmt::format("closed, volume {:.6g} mm3", report.volume)
-                                               : fmt::format("open, {} borders", report.borders.size()));
+  std::string text =
+      fmt::format("{}: {} triangles in {} piece{}, {:.6g} x {:.6g} x {:.6g} mm, area {:.6g} mm2, {}", arguments.file,
+                  report.triangles, report.pieces, report.pieces == 1 ? "" : "s", report.high[0] - report.low[0],
+                  report.high[1] - report.low[1], report.high[2] - report.low[2], report.area,
+                  report.closed ? fmt::format("closed, volume {:.6g} mm3", report.volume)
+                                : fmt::format("open, {} borders", report.borders.size()));
   if (is_cad_file(arguments.file)) text += fmt::format("; within {:.3g} mm of the true surface", chord_error);
   return text + "\n" + describe_faults(report);
 }
@@ -68,7 +70,8 @@ void look_at_tool(const ToolArguments& arguments) {
 }  // namespace
 
 void add_tool_command(CLI::App& program) {
-  auto* command = program.add_subcommand("tool", "Size of a tool's surface (STL, STEP, IGES, BREP, .geo) and its faults");
+  auto* command =
+      program.add_subcommand("tool", "Size of a tool's surface (STL, STEP, IGES, BREP, .geo) and its faults");
   const auto arguments = std::make_shared<ToolArguments>();
   command->add_option("FILE", arguments->file, "STL or CAD file")->required();
   command->add_option("--chord-tolerance", arguments->chord_tolerance, "mm; of triangles made from CAD")

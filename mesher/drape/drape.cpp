@@ -62,7 +62,8 @@ void place_tied_ends(const Mesh& mesh, Drape& drape) {
 
 // Other ends (held ones, and those of yarns with one crossing) go on along the surface from their crossing.
 void place_other_ends(const Mesh& mesh, const DrapeSurface& surface, const NetStart& start, Drape& drape) {
-  std::vector<std::array<int, 2>> beside(mesh.node_count(), {-1, -1});  // per crossing and family: a crossing next to it
+  std::vector<std::array<int, 2>> beside(mesh.node_count(),
+                                         {-1, -1});  // per crossing and family: a crossing next to it
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto [a, b] = mesh.yarns.node[e];
     if (mesh.nodes.crossing[a][0] < 0 || mesh.nodes.crossing[b][0] < 0) continue;
@@ -188,8 +189,8 @@ Drape drape_blank(const Scene& scene, const Mesh& mesh) {
   const DrapedNet net = drape_net(*start.surface, start.net, lattice.box, lattice.wanted);
   Drape drape;
   drape.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  drape.net_cells = static_cast<int>(
-      std::count_if(net.placed.begin(), net.placed.end(), [](Placed p) { return p == Placed::yes; }));
+  drape.net_cells =
+      static_cast<int>(std::count_if(net.placed.begin(), net.placed.end(), [](Placed p) { return p == Placed::yes; }));
   drape.tool = scene.drape->tool;
   drape.seed = array_of(start.net.seed);
   drape.position.assign(mesh.node_count(), array_of(Vector3d::Constant(std::nan(""))));
@@ -222,9 +223,10 @@ std::string place_line(const DrapePlace& place) {
 
 void lay_drape(const Scene& scene, const Drape& drape, Mesh& mesh) {
   if (!drape.whole()) {
-    std::string text = fmt::format("{}[drape] on tool '{}' is no start for a solve; smaller blank, other seed or warp "
-                                   "direction ('weaveform drape' shows where):",
-                                   scene.file.empty() ? "" : scene.file + ": ", drape.tool);
+    std::string text = fmt::format(
+        "{}[drape] on tool '{}' is no start for a solve; smaller blank, other seed or warp "
+        "direction ('weaveform drape' shows where):",
+        scene.file.empty() ? "" : scene.file + ": ", drape.tool);
     for (const auto* places : {&drape.unreachable, &drape.folds})
       for (const auto& place : *places) text += "\n  " + place_line(place);
     throw PhysicsError(text);

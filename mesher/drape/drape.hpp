@@ -1,5 +1,5 @@
-// A blank draped on a tool: places of all its nodes, what it shears, and what is wrong with it, by place. See net.hpp for
-// the kinematics; the scene's [drape] says where and which way.
+// A blank draped on a tool: places of all its nodes, what it shears, and what is wrong with it, by place. See net.hpp
+// for the kinematics; the scene's [drape] says where and which way.
 #pragma once
 
 #include <array>
@@ -13,15 +13,16 @@ namespace weaveform {
 
 // Radii of the tool below this many cell sides are reported: there the chords of the net cut corners, and shear comes
 // out of nothing. On a cylinder of radius r, with the yarns at an angle b to its axis, the net of chords a has
-//   gamma = (a/r)^2 sin(2b)/12      (both helices' mean chords at a cell's centre; measured: the same to 2 % for r >= 2 a)
+//   gamma = (a/r)^2 sin(2b)/12      (both helices' mean chords at a cell's centre; measured: the same to 2 % for r >= 2
+//   a)
 // which is 0.53 deg at r = 3 a. Below r = a there is no bound: across a sharp bend of 45 deg chords shear by 19 deg
 // whatever their length, across one of 90 deg the net folds (docs/drape.md).
 inline constexpr double least_radius_in_cells = 3.0;
 
 struct DrapePlace {
-  std::string what;                          // a sentence without the place
+  std::string what;                            // a sentence without the place
   std::array<double, 3> at = {0.0, 0.0, 0.0};  // mm
-  int count = 0;                             // crossings or cells of this connected region
+  int count = 0;                               // crossings or cells of this connected region
 };
 
 struct Drape {
@@ -39,8 +40,8 @@ struct Drape {
   [[nodiscard]] bool whole() const { return unreachable.empty() && folds.empty(); }
 };
 
-// `mesh` flat, as build_flat_mesh leaves it. Throws InputError: no such tool, a seed off the surface, a blank that misses
-// the tool, a warp direction across the surface, curves that miss the seed.
+// `mesh` flat, as build_flat_mesh leaves it. Throws InputError: no such tool, a seed off the surface, a blank that
+// misses the tool, a warp direction across the surface, curves that miss the seed.
 [[nodiscard]] Drape drape_blank(const Scene& scene, const Mesh& mesh);
 
 // "at (x, y, z) mm: what (count)"

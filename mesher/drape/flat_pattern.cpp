@@ -131,8 +131,9 @@ private:
   const Mesh& mesh_;
   const Drape& drape_;
   DrapeStart start_;
-  std::vector<int> node_;               // per lattice crossing
-  std::array<std::vector<int>, 4> end_;  // yarn element that ends beyond it: warp ahead, warp back, weft ahead, weft back
+  std::vector<int> node_;  // per lattice crossing
+  std::array<std::vector<int>, 4>
+      end_;  // yarn element that ends beyond it: warp ahead, warp back, weft ahead, weft back
   std::map<Edge, Edge> next_;
 };
 

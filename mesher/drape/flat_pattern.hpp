@@ -9,9 +9,9 @@
 
 namespace weaveform {
 
-// Closed loops in the blank's frame (mm), fabric on the left. They join the ends of the yarns: on the blank's outline, or
-// where the yarn leaves the tool's surface (found by halving along the yarn, so exact there); corners between two yarns
-// are cut straight.
+// Closed loops in the blank's frame (mm), fabric on the left. They join the ends of the yarns: on the blank's outline,
+// or where the yarn leaves the tool's surface (found by halving along the yarn, so exact there); corners between two
+// yarns are cut straight.
 using FlatPattern = std::vector<std::vector<std::array<double, 2>>>;
 [[nodiscard]] FlatPattern flat_pattern(const Scene& scene, const Mesh& flat_mesh, const Drape& drape);
 

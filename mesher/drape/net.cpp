@@ -60,9 +60,9 @@ void lay_generators(const DrapeSurface& surface, const NetStart& start, const st
       for (int k = 1; k <= end; ++k)
         if (needed[at(k)] != 0) count = k;
       const auto& curve = start.curve[f][side];
-      const Generator yarn =
-          curve.empty() ? geodesic(surface, start.seed, Vector3d(sign * direction[f]), start.spacing[f], count)
-                        : along_curve(surface, start.seed, curve, start.spacing[f], count);
+      const Generator yarn = curve.empty()
+                                 ? geodesic(surface, start.seed, Vector3d(sign * direction[f]), start.spacing[f], count)
+                                 : along_curve(surface, start.seed, curve, start.spacing[f], count);
       const int laid = static_cast<int>(yarn.node.size());
       for (int k = 1; k <= count; ++k) {
         net.placed[at(k)] = k > laid + 1 ? Placed::behind : Placed::nothing;
@@ -100,8 +100,8 @@ Placed fourth(const DrapeSurface& surface, const NetStart& start, const Vector3d
   return met == CircleMeets::border ? Placed::border : Placed::nothing;
 }
 
-void fill_quarter(const DrapeSurface& surface, const NetStart& start, const Quarter& q,
-                  const std::vector<char>& needed, DrapedNet& net) {
+void fill_quarter(const DrapeSurface& surface, const NetStart& start, const Quarter& q, const std::vector<char>& needed,
+                  DrapedNet& net) {
   const NetBox& box = net.box;
   int hint = 0;
   for (int b = 1; b <= q.last[1]; ++b)
@@ -110,10 +110,12 @@ void fill_quarter(const DrapeSurface& surface, const NetStart& start, const Quar
       if (needed[here] == 0) continue;
       const std::size_t corner = box.index(q.i * (a - 1), q.j * (b - 1)), below = box.index(q.i * a, q.j * (b - 1)),
                         beside = box.index(q.i * (a - 1), q.j * b);
-      const auto carries = [&](std::size_t k) { return net.placed[k] == Placed::yes || net.placed[k] == Placed::border; };
+      const auto carries = [&](std::size_t k) {
+        return net.placed[k] == Placed::yes || net.placed[k] == Placed::border;
+      };
       const bool known = carries(corner) && carries(below) && carries(beside);
-      net.placed[here] = known ? fourth(surface, start, net.position[corner], net.position[below],
-                                        net.position[beside], net.position[here], hint)
+      net.placed[here] = known ? fourth(surface, start, net.position[corner], net.position[below], net.position[beside],
+                                        net.position[here], hint)
                                : Placed::behind;
     }
 }

@@ -50,9 +50,9 @@ Vector3d given_seed(const Scene& scene, const DrapeStart& start, double spacing)
   const bool found = project(*start.surface, seed, hint);
   const double off = (seed - given).norm();
   if (found && off <= start.offset + seed_tolerance * spacing) return seed;
-  complain(scene, fmt::format("seed {} mm is {:.4g} mm off the surface of tool '{}'{}; the nearest point of it is {} mm",
-                              place_text(given), off, scene.drape->tool, found ? "" : " (past its border)",
-                              place_text(seed)));
+  complain(scene,
+           fmt::format("seed {} mm is {:.4g} mm off the surface of tool '{}'{}; the nearest point of it is {} mm",
+                       place_text(given), off, scene.drape->tool, found ? "" : " (past its border)", place_text(seed)));
 }
 
 // Sphere tracing from far outside: every step is the distance to the tool, so it cannot pass through it.

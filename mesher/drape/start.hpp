@@ -13,7 +13,7 @@ namespace weaveform {
 
 struct DrapeStart {
   std::unique_ptr<DrapeSurface> surface;
-  double offset = 0.0;            // mm; of the middle plane from the tool
+  double offset = 0.0;  // mm; of the middle plane from the tool
   NetStart net;
   std::array<int, 2> crossing{};  // of the mesh's lattice; lies on the seed
 };

@@ -83,7 +83,8 @@ SurfacePoint ToolSurface::at(const Vector3d& x, int& hint) const {
     point.gradient = {found.normal[0], found.normal[1], found.normal[2]};
     point.beyond = found.beyond;
     if (found.beyond) {
-      // past a border the surface goes on in the plane of its last triangle: x - distance * normal is the border's point
+      // past a border the surface goes on in the plane of its last triangle: x - distance * normal is the border's
+      // point
       const auto face = tool_.surface->face_normal(found.triangle);
       const Vector3d plane(face[0], face[1], face[2]);
       point.value = found.distance * plane.dot(point.gradient) - offset_;

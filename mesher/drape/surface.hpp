@@ -50,8 +50,8 @@ private:
 // The nearest point of the surface along its gradient (Newton). False when there is none near or it is past a border.
 [[nodiscard]] bool project(const DrapeSurface& surface, Eigen::Vector3d& x, int& hint);
 
-// The point of a circle that lies on the surface: x(t) = centre + radius (cos t e1 + sin t e2), |t| < 2, the one nearest
-// to t = 0 (Newton from there, a search for a change of sign when that fails). The radius is kept to rounding.
+// The point of a circle that lies on the surface: x(t) = centre + radius (cos t e1 + sin t e2), |t| < 2, the one
+// nearest to t = 0 (Newton from there, a search for a change of sign when that fails). The radius is kept to rounding.
 struct Circle {
   Eigen::Vector3d centre, e1, e2;
   double radius;  // mm

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr int halvings = 10;
 constexpr double least_turn = 0.1;  // rad; over an element; yarns nearly along a bend's axis turn less and tell little
-constexpr double crease = 0.02;  // of the cell side; a radius below it is none
+constexpr double crease = 0.02;     // of the cell side; a radius below it is none
 
 struct End {
   Vector3d x, normal;
@@ -85,7 +85,8 @@ std::vector<DrapePlace> tight_bends(const DrapeSurface& surface, double offset, 
     for (int i = 0; i < box.size[0]; ++i)
       for (int f = 0; f < 2; ++f) {
         if (i + 1 - f >= box.size[0] || j + f >= box.size[1]) continue;
-        const std::size_t here = static_cast<std::size_t>(j) * box.size[0] + i, next = here + (f == 0 ? 1 : box.size[0]);
+        const std::size_t here = static_cast<std::size_t>(j) * box.size[0] + i,
+                          next = here + (f == 0 ? 1 : box.size[0]);
         if (!there(here) || !there(next)) continue;
         const End a{net.position[here], normal[here]}, b{net.position[next], normal[next]};
         if (turn(a, b) < least_turn || radius_between(a, b) >= least_radius_in_cells * spacing[f]) continue;

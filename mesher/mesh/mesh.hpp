@@ -18,8 +18,8 @@ struct NodeSet {
 
 struct MeshNodes {
   std::vector<std::array<double, 3>> position;  // mm; initial
-  // mm; of the flat blank, where the start is another (a drape); else empty. All rest lengths, cell coefficients and areas
-  // are those of the flat blank, so a blank that starts draped starts sheared.
+  // mm; of the flat blank, where the start is another (a drape); else empty. All rest lengths, cell coefficients and
+  // areas are those of the flat blank, so a blank that starts draped starts sheared.
   std::vector<std::array<double, 3>> flat_position;
   // tonne; lumped from the yarns' linear density, near the edges shifted between neighbours so that the step holds
   std::vector<double> mass;

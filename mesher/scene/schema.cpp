@@ -97,7 +97,8 @@ const std::vector<Key<ToolSpec>> tool_keys = {
          .allowed = {"plane", "sphere", "cylinder", "ring", "revolved", "triangles"},
          .required = true,
          .doc = "`plane`; `sphere` with a shank of its radius up the axis; endless `cylinder`; `ring`: a plate with a "
-                "rounded opening; `revolved`: a profile turned about the axis; `triangles`: a surface from an STL or CAD file"}),
+                "rounded opening; `revolved`: a profile turned about the axis; `triangles`: a surface from an STL or "
+                "CAD file"}),
     key<&ToolSpec::position>(
         {.name = "position",
          .unit = "mm",
@@ -128,15 +129,15 @@ const std::vector<Key<ToolSpec>> tool_keys = {
         {.name = "file",
          .doc = "surface of a tool of triangles, relative to the scene file: STL (outside counter-clockwise), or CAD "
                 "through Gmsh: STEP, IGES, BREP, .geo (made to face outward, open ones to the blank)"}),
-    key<&ToolSpec::chord_tolerance>(
-        {.name = "chord_tolerance",
-         .unit = "mm",
-         .limits = above(0),
-         .doc = "of triangles made from CAD: greatest distance from the true surface"}),
-    key<&ToolSpec::unit>({.name = "unit",
-                          .allowed = {"mm", "cm", "m", "inch"},
-                          .doc = "of an STL file, which names none; left out: mm, and refused when the tool is then out of "
-                                 "all proportion to the blank. STEP and IGES bring their own"}),
+    key<&ToolSpec::chord_tolerance>({.name = "chord_tolerance",
+                                     .unit = "mm",
+                                     .limits = above(0),
+                                     .doc = "of triangles made from CAD: greatest distance from the true surface"}),
+    key<&ToolSpec::unit>(
+        {.name = "unit",
+         .allowed = {"mm", "cm", "m", "inch"},
+         .doc = "of an STL file, which names none; left out: mm, and refused when the tool is then out of "
+                "all proportion to the blank. STEP and IGES bring their own"}),
     key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
     key<&ToolSpec::travel>({.name = "travel",
                             .unit = "mm",
@@ -193,17 +194,19 @@ const std::vector<Key<DrapeSpec>> drape_keys = {
                                   "along `projection`"}),
     key<&DrapeSpec::projection>({.name = "projection",
                                  .unit = "1",
-                                 .doc = "way of that projection, any length but zero; the first surface met from outside "
-                                        "counts"}),
+                                 .doc =
+                                     "way of that projection, any length but zero; the first surface met from outside "
+                                     "counts"}),
     key<&DrapeSpec::warp_direction>(
         {.name = "warp_direction",
          .unit = "1",
          .doc = "of the warp at the seed; its part along the surface counts; left out: as in the flat blank"}),
     key<&DrapeSpec::warp_curve>({.name = "warp_curve",
                                  .unit = "mm",
-                                 .doc = "points [x, y, z] of a line through the seed that the warp yarn follows, in the "
-                                        "warp's sense; they are moved to the surface; left out: a geodesic, which also "
-                                        "goes on beyond the line's ends"}),
+                                 .doc =
+                                     "points [x, y, z] of a line through the seed that the warp yarn follows, in the "
+                                     "warp's sense; they are moved to the surface; left out: a geodesic, which also "
+                                     "goes on beyond the line's ends"}),
     key<&DrapeSpec::weft_curve>({.name = "weft_curve", .unit = "mm", .doc = "the same for the weft yarn"}),
 };
 
@@ -406,10 +409,10 @@ const std::vector<SceneTable>& scene_tables() {
       named_tables<&Scene::tools>("tools", tool_keys,
                                   "A rigid tool; as many as needed, each with a name of its own: it heads the tool's "
                                   "columns in history.csv and names it in `--set tools.NAME.travel=...`."),
-      optional_table<&Scene::drape>(
-          "drape", drape_keys,
-          "The blank starts draped over a tool, as a pin-jointed net of inextensible yarns (docs/drape.md). Left out: it "
-          "starts flat."),
+      optional_table<&Scene::drape>("drape", drape_keys,
+                                    "The blank starts draped over a tool, as a pin-jointed net of inextensible yarns "
+                                    "(docs/drape.md). Left out: it "
+                                    "starts flat."),
       one_table<&Scene::analysis>("analysis", analysis_keys, "The explicit analysis."),
       one_table<&Scene::output>("output", output_keys, "What is written."),
       many_tables<&Scene::measure>("measure", measure_keys,

@@ -1,12 +1,16 @@
 #include "mesher/tools/cad.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmsh.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <unordered_map>
 
 #include "mesher/base/error.hpp"
@@ -24,6 +28,30 @@ std::string ending(const fs::path& file) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
 }
+
+// OpenCASCADE, which Gmsh reads CAD with, prints to standard output, where a script looks for answers.
+class Silence {
+public:
+  Silence() : output_(dup(STDOUT_FILENO)) {
+    std::fflush(stdout);
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0) return;
+    dup2(nowhere, STDOUT_FILENO);
+    close(nowhere);
+  }
+  ~Silence() {
+    if (output_ < 0) return;
+    std::fflush(stdout);
+    std::cout.flush();
+    dup2(output_, STDOUT_FILENO);
+    close(output_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  int output_;
+};
 
 // Gmsh is one global state: set up for one file, gone after it.
 class Session {
@@ -45,6 +73,9 @@ public:
   ~Session() { gmsh::finalize(); }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
+
+private:
+  Silence silence_;
 };
 
 using Point = std::array<double, 3>;
@@ -69,7 +100,8 @@ double face_error(int face, const std::vector<Point>& point, const std::vector<s
   std::vector<double> nearest, parameter;
   gmsh::model::getClosestPoint(2, face, probe, nearest, parameter);
   for (std::size_t k = 0; k + 2 < probe.size() && k + 2 < nearest.size(); k += 3)
-    worst = std::max(worst, std::hypot(probe[k] - nearest[k], probe[k + 1] - nearest[k + 1], probe[k + 2] - nearest[k + 2]));
+    worst = std::max(worst,
+                     std::hypot(probe[k] - nearest[k], probe[k + 1] - nearest[k + 1], probe[k + 2] - nearest[k + 2]));
   return worst;
 }
 
@@ -118,8 +150,8 @@ CadSurface read_cad(const fs::path& file, double chord_tolerance) {
     try {
       surface = triangulate(per_turn);
     } catch (const std::string& trouble) {
-      throw InputError(fmt::format("{}: Gmsh cannot mesh this geometry ({}); mend it or write it as STL", file.string(),
-                                   trouble));
+      throw InputError(
+          fmt::format("{}: Gmsh cannot mesh this geometry ({}); mend it or write it as STL", file.string(), trouble));
     } catch (const std::runtime_error& trouble) {
       throw InputError(fmt::format("{}: Gmsh cannot mesh this geometry ({}); mend it or write it as STL", file.string(),
                                    trouble.what()));
@@ -128,11 +160,13 @@ CadSurface read_cad(const fs::path& file, double chord_tolerance) {
       throw InputError(file.string() + ": holds no surface; write the part's faces or solid into it");
     if (surface.chord_error <= chord_tolerance) return surface;
     // the error goes with the square of the side; a little more than that asks for
-    per_turn *= std::clamp(1.1 * std::sqrt(surface.chord_error / chord_tolerance), 1.2, 4.0);
-    if (per_turn > greatest_per_turn)
-      throw InputError(fmt::format("{}: triangles come within {:.3g} mm of the surface, not within chord_tolerance = {:.3g} "
-                                   "mm; ask for less",
-                                   file.string(), surface.chord_error, chord_tolerance));
+    const double factor = 1.1 * std::sqrt(surface.chord_error / chord_tolerance);
+    if (per_turn * factor > greatest_per_turn)
+      throw InputError(
+          fmt::format("{}: triangles come within {:.3g} mm of the surface, not within chord_tolerance = {:.3g} "
+                      "mm; ask for less",
+                      file.string(), surface.chord_error, chord_tolerance));
+    per_turn *= std::clamp(factor, 1.2, 4.0);
   }
 }
 

@@ -51,7 +51,8 @@ Vector touching_position(const Tool& tool, const BlankSpec& blank) {
 }
 
 double millimetres(const std::string& unit) {
-  static const std::map<std::string, double> size = {{"", 1.0}, {"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}};
+  static const std::map<std::string, double> size = {
+      {"", 1.0}, {"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}};
   return size.at(unit);
 }
 
@@ -66,14 +67,16 @@ void check_proportion(const TriangleList& list, const ToolSpec& spec, const Scen
   }
   const double blank = std::max(scene.blank.size[0], scene.blank.size[1]);
   if (extent * farthest < blank)
-    throw InputError(fmt::format(
-        "{} {}: the surface is {:.3g} mm across and the blank {:.4g} mm: is the file in metres? Set unit = \"m\" (or \"cm\", "
-        "\"inch\"; \"mm\" if it is right)",
-        where, spec.file, extent, blank));
+    throw InputError(
+        fmt::format("{} {}: the surface is {:.3g} mm across and the blank {:.4g} mm: is the file in metres? Set unit = "
+                    "\"m\" (or \"cm\", "
+                    "\"inch\"; \"mm\" if it is right)",
+                    where, spec.file, extent, blank));
   if (extent > farthest * blank)
-    throw InputError(fmt::format("{} {}: the surface is {:.4g} mm across and the blank {:.4g} mm: is it in micrometres, or "
-                                 "the blank's size in another unit? Set unit = \"mm\" if it is right",
-                                 where, spec.file, extent, blank));
+    throw InputError(
+        fmt::format("{} {}: the surface is {:.4g} mm across and the blank {:.4g} mm: is it in micrometres, or "
+                    "the blank's size in another unit? Set unit = \"mm\" if it is right",
+                    where, spec.file, extent, blank));
 }
 
 TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, const std::string& where) {
@@ -90,9 +93,10 @@ TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, const std::s
   }
   if (spec.flip) list = turned_over(std::move(list));
   if (!cad && turned_inward(list) && !spec.flip)
-    throw InputError(fmt::format("{} {}: the closed surface has its normals inward, so that its outside would be solid; set "
-                                 "flip = true, or write it again with its triangles counter-clockwise seen from outside",
-                                 where, file.string()));
+    throw InputError(
+        fmt::format("{} {}: the closed surface has its normals inward, so that its outside would be solid; set "
+                    "flip = true, or write it again with its triangles counter-clockwise seen from outside",
+                    where, file.string()));
   return list;
 }
 
@@ -109,8 +113,8 @@ Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness) {
   if (tool.shape == ToolShape::revolved) tool.profile = make_profile(spec.profile, where + " profile");
   if (tool.shape == ToolShape::triangles) {
     tool.start.axis = {0.0, 0.0, 1.0};
-    tool.surface = std::make_shared<TriangleSurface>(
-        triangles_of(spec, scene, where), where + " " + tool_path(spec.file, scene.file).string());
+    tool.surface = std::make_shared<TriangleSurface>(triangles_of(spec, scene, where),
+                                                     where + " " + tool_path(spec.file, scene.file).string());
   }
   tool.direction = spec.direction ? unit(*spec.direction) : default_direction(tool);
   if (spec.position)

@@ -41,8 +41,7 @@ Point3 doubled_area(const TriangleList& list, const Triangle& t) {
 }
 double longest_side(const TriangleList& list, const Triangle& t) {
   double longest = 0.0;
-  for (int k = 0; k < 3; ++k)
-    longest = std::max(longest, length(minus(list.point[t[k]], list.point[t[(k + 1) % 3]])));
+  for (int k = 0; k < 3; ++k) longest = std::max(longest, length(minus(list.point[t[k]], list.point[t[(k + 1) % 3]])));
   return longest;
 }
 Point3 centre(const TriangleList& list, const Triangle& t) {
@@ -104,7 +103,8 @@ void join_borders(const TriangleList& list, const std::vector<std::array<int, 2>
       const Point3 part = cross(a, b);
       for (int c = 0; c < 3; ++c) area[c] += 0.5 * part[c];
     }
-    constexpr double slim = 1e-3;  // of the perimeter squared; a circle has 0.08, a strip 250 times as long as wide has this
+    constexpr double slim =
+        1e-3;  // of the perimeter squared; a circle has 0.08, a strip 250 times as long as wide has this
     (length(area) < slim * perimeter * perimeter ? report.gaps : report.borders)
         .push_back({list.point[loop[0]], perimeter});
   }
@@ -136,7 +136,8 @@ void find_intersections(const TriangleList& list, TriangleReport& report) {
   std::vector<std::vector<std::size_t>> polygons;
   for (const auto& t : list.triangle)
     if (length(doubled_area(list, t)) > 0.0)
-      polygons.push_back({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
+      polygons.push_back(
+          {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
   pmp::orient_polygon_soup(points, polygons);
   SurfaceMesh mesh;
   pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
@@ -160,8 +161,7 @@ std::vector<double> signed_volumes(const TriangleList& list, const std::vector<i
   std::vector<double> volume(count, 0.0);
   const Point3 origin = list.point[list.triangle[0][0]];  // from the surface itself, for the digits
   for (std::size_t n = 0; n < list.triangle.size(); ++n)
-    volume[piece[n]] +=
-        dot(minus(list.point[list.triangle[n][0]], origin), doubled_area(list, list.triangle[n])) / 6.0;
+    volume[piece[n]] += dot(minus(list.point[list.triangle[n][0]], origin), doubled_area(list, list.triangle[n])) / 6.0;
   return volume;
 }
 
@@ -228,7 +228,8 @@ TriangleList turned_alike(const TriangleList& list, const Point3& outside) {
   std::vector<std::vector<std::size_t>> polygons;
   for (const auto& t : list.triangle)
     if (length(doubled_area(list, t)) > 0.0)
-      polygons.push_back({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
+      polygons.push_back(
+          {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
   pmp::orient_polygon_soup(points, polygons);
   TriangleList result;
   for (const auto& p : points) result.point.push_back({p.x(), p.y(), p.z()});

@@ -56,8 +56,7 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
   for (int c = 0; c < mesh.cells.size(); ++c) {
     if (std::isnan(drape.shear_angle[c])) continue;
     std::vector<vtkIdType> corner;
-    for (int a = mesh.cells.offset[c]; a < mesh.cells.offset[c + 1]; ++a)
-      corner.push_back(point[mesh.cells.node[a]]);
+    for (int a = mesh.cells.offset[c]; a < mesh.cells.offset[c + 1]; ++a) corner.push_back(point[mesh.cells.node[a]]);
     grid->InsertNextCell(corner.size() == 4 ? VTK_QUAD : VTK_POLYGON, static_cast<vtkIdType>(corner.size()),
                          corner.data());
     angle->InsertNextValue(drape.shear_angle[c] * to_deg);

@@ -15,7 +15,8 @@ namespace weaveform {
 
 struct DrapeSummary {
   int cells = 0, cells_placed = 0, folded_cells = 0, unreachable_crossings = 0, cells_beyond_card = 0;
-  double max_shear_angle_deg = 0.0, mean_shear_angle_deg = 0.0;  // of magnitudes, placed and unfolded cells; mean by area
+  double max_shear_angle_deg = 0.0,
+         mean_shear_angle_deg = 0.0;  // of magnitudes, placed and unfolded cells; mean by area
   double cells_per_s = 0.0;
 };
 [[nodiscard]] DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape);

@@ -1,6 +1,6 @@
-// The memory of a cell with a history (incremental_cell.hpp) that starts sheared, as in a draped blank: that of the same
-// cell sheared from flat to where it starts, as a trellis in its own plane, by the element itself. So it starts with the
-// stress the formulation gives its angle, its own error included, and with the work spent on it.
+// The memory of a cell with a history (incremental_cell.hpp) that starts sheared, as in a draped blank: that of the
+// same cell sheared from flat to where it starts, as a trellis in its own plane, by the element itself. So it starts
+// with the stress the formulation gives its angle, its own error included, and with the work spent on it.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,12 @@
 
 namespace weaveform {
 
-inline constexpr double start_increment = 0.25 * std::numbers::pi / 180.0;  // rad; error of its square: 1e-5 of a stress
+inline constexpr double start_increment =
+    0.25 * std::numbers::pi / 180.0;        // rad; error of its square: 1e-5 of a stress
 inline constexpr double unsheared = 1e-12;  // below, direction products and stretches are rounding
 
-// g1, g2: the directions at the start (incremental_cell.hpp). A cell that is flat but for rounding starts without stress.
+// g1, g2: the directions at the start (incremental_cell.hpp). A cell that is flat but for rounding starts without
+// stress.
 template <Frame frame, Thickness thickness, class Law>
 [[nodiscard]] CellHistory sheared_start(const KernelShear<Law>& law, const double (&g1)[3], const double (&g2)[3],
                                         double volume) {
@@ -25,7 +27,8 @@ template <Frame frame, Thickness thickness, class Law>
     sum[k] = g1[k] / length1 + g2[k] / length2;
     difference[k] = g2[k] / length2 - g1[k] / length1;
   }
-  const double along = std::hypot(sum[0], sum[1], sum[2]), across = std::hypot(difference[0], difference[1], difference[2]);
+  const double along = std::hypot(sum[0], sum[1], sum[2]),
+               across = std::hypot(difference[0], difference[1], difference[2]);
   const double opening = 2.0 * std::atan2(across, along);  // rad; between the yarns
   const double angle = 0.5 * std::numbers::pi - opening;
   if (std::abs(angle) < unsheared && std::abs(length1 - 1.0) < unsheared && std::abs(length2 - 1.0) < unsheared)

@@ -19,7 +19,7 @@ constexpr int check_interval = 500;          // steps between looks at the stabl
 constexpr double torn_strain = 0.5;          // a yarn never bears this; the stable step is bounded up to here
 constexpr int cells_worth_a_thread = 20000;  // below, a second thread costs more than it brings (./dev bench)
 constexpr double start_fraction = 0.1;       // of the duration; the energy balance is judged after it
-constexpr double rounding_energy = 1e-15;  // mJ; a fabric on which nothing acts has less, and no balance to judge
+constexpr double rounding_energy = 1e-15;    // mJ; a fabric on which nothing acts has less, and no balance to judge
 constexpr double start_travel = 0.1;  // of the travel; kinetic/internal is judged after it (before, both are near zero)
 
 int choose_threads(int wanted, int cells) {

@@ -13,7 +13,9 @@ namespace weaveform::test {
 using Eigen::Vector3d;
 
 inline ImplicitSurface sphere_surface(double radius) {
-  return ImplicitSurface([radius](const Vector3d& x) { return SurfacePoint{x.norm() - radius, x.normalized(), false}; });
+  return ImplicitSurface([radius](const Vector3d& x) {
+    return SurfacePoint{x.norm() - radius, x.normalized(), false};
+  });
 }
 
 // z = h(x, y)

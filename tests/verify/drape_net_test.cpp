@@ -168,12 +168,11 @@ TEST(DrapeNet, SaddleShearsTheOtherWay) {
 // gamma(u, v) = integral of K over the patch between the generators, on a surface of changing curvature.
 TEST(DrapeNet, ShearIsTheIntegralOfTheGaussianCurvature) {
   const double p = 40.0, q = 35.0, height = 25.0;
-  const auto bumps = height_field(
-      [=](double x, double y) { return height * std::cos(x / p) * std::cos(y / q); },
-      [=](double x, double y) {
-        return Eigen::Vector2d(-height / p * std::sin(x / p) * std::cos(y / q),
-                               -height / q * std::cos(x / p) * std::sin(y / q));
-      });
+  const auto bumps = height_field([=](double x, double y) { return height * std::cos(x / p) * std::cos(y / q); },
+                                  [=](double x, double y) {
+                                    return Eigen::Vector2d(-height / p * std::sin(x / p) * std::cos(y / q),
+                                                           -height / q * std::cos(x / p) * std::sin(y / q));
+                                  });
   const auto curvature = [=](const Vector3d& at) {
     const double cx = std::cos(at[0] / p), sx = std::sin(at[0] / p), cy = std::cos(at[1] / q), sy = std::sin(at[1] / q);
     const double hx = -height / p * sx * cy, hy = -height / q * cx * sy;
@@ -237,11 +236,11 @@ TEST(DrapeNet, FoldsOnTheSphereWhereTheExactNetReachesNinetyDegrees) {
 TriangleList ball_of_triangles(double radius, int levels) {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
   TriangleList ball;
-  ball.point = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  ball.triangle = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                   {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  ball.point = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  ball.triangle = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                   {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<int, int>, int> middle;
     const auto between = [&](int a, int b) {
@@ -276,8 +275,8 @@ TEST(DrapeNet, TrianglesTendToTheSphereAsTheirFacetsShrink) {
     start.seed = radius * Vector3d(0.3, 0.2, 1.0).normalized();
     int hint = 0;
     ASSERT_TRUE(project(surface, start.seed, hint));
-    // along the sphere: the part of it across the surface would turn with the normal of the facet the seed happens to lie
-    // on
+    // along the sphere: the part of it across the surface would turn with the normal of the facet the seed happens to
+    // lie on
     start.warp = Vector3d(1.0, 0.2, 0.0).cross(start.seed);
     start.spacing = {5.0, 5.0};
     const int cells = 12;  // uv/R^2 up to 0.64

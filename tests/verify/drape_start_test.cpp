@@ -1,5 +1,5 @@
-// A drape handed to the solver: its shear energy is that of its angles, it stays where it is held or where nothing pulls,
-// and formulations with a history start with the stress of their angle.
+// A drape handed to the solver: its shear energy is that of its angles, it stays where it is held or where nothing
+// pulls, and formulations with a history start with the stress of their angle.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,8 +21,8 @@ Scene on_tool(const std::string& tool, const std::string& more) {
 }
 const std::string sphere = "shape = \"sphere\"\nradius = 60\naxis = [0, 0, -1]\nposition = [0, 0, -60]";
 
-// V * integral of sigma d(sin gamma), by Simpson's rule; the angle goes with the cube of the rule's variable, for the law
-// rises steeply at the start.
+// V * integral of sigma d(sin gamma), by Simpson's rule; the angle goes with the cube of the rule's variable, for the
+// law rises steeply at the start.
 double energy_of_angles(const Mesh& mesh, const Card& card, const std::vector<Vec3>& position) {
   const Fields fields = compute_fields(mesh, card, {}, 0.0, position);
   double sum = 0.0;
@@ -107,8 +107,8 @@ TEST_P(ShearedHistory, StartsWithTheStressOfItsAngle) {
       greatest = std::max(greatest, std::abs(walked.state.force[c][n]));
       off = std::max(off, std::abs(walked.state.force[c][n] - there.force[c][n]));
     }
-  EXPECT_GT(greatest, 0.1);              // N
-  EXPECT_LT(off, 1e-4 * greatest);       // second order in the start's increment of a quarter of a degree
+  EXPECT_GT(greatest, 0.1);         // N
+  EXPECT_LT(off, 1e-4 * greatest);  // second order in the start's increment of a quarter of a degree
   EXPECT_NEAR(start_work, from_flat.cell_work(), 1e-4 * start_work);
   EXPECT_GT(start_work, 0.0);
 }

@@ -162,14 +162,17 @@ TEST(Drape, AGivenCurveThatIsAGeodesicGivesTheSameNet) {
   ASSERT_TRUE(led.drape.whole());
   EXPECT_LT(led.drape.length_error, 1e-9);
   for (int n = 0; n < free.mesh.node_count(); ++n)
-    EXPECT_LT(length_of(free.drape.position[n], led.drape.position[n]), 1e-4);  // the curve has six digits after the point
+    EXPECT_LT(length_of(free.drape.position[n], led.drape.position[n]),
+              1e-4);  // the curve has six digits after the point
 }
 
 TEST(Drape, ACurvedGeneratorShearsThePlane) {
   const Draped d(
-      "[blank]\nsize = [80, 80]\nyarn_angle = 0\n[tools.table]\nshape = \"plane\"\nposition = [0, 0, 0]\n[drape]\ntool = "
+      "[blank]\nsize = [80, 80]\nyarn_angle = 0\n[tools.table]\nshape = \"plane\"\nposition = [0, 0, 0]\n[drape]\ntool "
+      "= "
       "\"table\"\nseed = [0, 0, 0]\nwarp_curve = [[-50, 10, 0], [0, 0, 0], [50, 30, 0]]\n");
-  // right of the seed the warp leaves it at atan(30/50), the weft at right angles to that; left it comes in at -atan(10/50)
+  // right of the seed the warp leaves it at atan(30/50), the weft at right angles to that; left it comes in at
+  // -atan(10/50)
   ASSERT_TRUE(d.drape.whole());
   double least = 1e9, greatest = -1e9;
   for (const double angle : d.drape.shear_angle) {
@@ -181,9 +184,10 @@ TEST(Drape, ACurvedGeneratorShearsThePlane) {
 }
 
 TEST(Drape, FoldsAreCountedByPlaceAndNoStartForASolve) {
-  const std::string text = "[blank]\nsize = [220, 220]\nyarn_angle = 0\ncoarsening = 2\n[tools.dome]\nshape = "
-                           "\"revolved\"\nposition = [0, 0, -75]\nprofile = [[0, -75], [75, 0, 0, 0], [0, 75, 0, 0]]\n" +
-                           drape_table;
+  const std::string text =
+      "[blank]\nsize = [220, 220]\nyarn_angle = 0\ncoarsening = 2\n[tools.dome]\nshape = "
+      "\"revolved\"\nposition = [0, 0, -75]\nprofile = [[0, -75], [75, 0, 0, 0], [0, 75, 0, 0]]\n" +
+      drape_table;
   const Draped d(text);
   ASSERT_EQ(d.drape.folds.size(), 4U);  // one a quarter
   EXPECT_FALSE(d.drape.whole());
@@ -222,7 +226,8 @@ fs::path plate(double half, double hole, double unit = 1.0, bool flipped = false
 
 std::string on_plate(const fs::path& file, double angle) {
   return fmt::format(
-      "[blank]\nsize = [200, 200]\nyarn_angle = {}\n[tools.part]\nshape = \"triangles\"\nfile = \"{}\"\n[drape]\ntool = "
+      "[blank]\nsize = [200, 200]\nyarn_angle = {}\n[tools.part]\nshape = \"triangles\"\nfile = \"{}\"\n[drape]\ntool "
+      "= "
       "\"part\"\n",
       angle, file.string());
 }
@@ -261,8 +266,9 @@ TEST(Drape, WholeBlanksHaveTheirOwnAreaAsPattern) {
 }
 
 TEST(Drape, TightRadiiAndSharpEdgesAreReportedByPlace) {
-  const std::string ring = "[tools.ring]\nshape = \"ring\"\nopening_radius = 200\nposition = [-220, 0, 0]\n[blank]\nsize = "
-                           "[80, 60]\nyarn_angle = 30\n[drape]\ntool = \"ring\"\n";
+  const std::string ring =
+      "[tools.ring]\nshape = \"ring\"\nopening_radius = 200\nposition = [-220, 0, 0]\n[blank]\nsize = "
+      "[80, 60]\nyarn_angle = 30\n[drape]\ntool = \"ring\"\n";
   const Draped round(ring + "[fabric]\nmaterial = \"twintex-pw\"\n", {"tools.ring.fillet_radius=8"});
   ASSERT_FALSE(round.drape.tight.empty());
   double radius = 0.0;

@@ -17,6 +17,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/lattice_step_test.cpp
   unit/mesher/lattice_totals_test.cpp
   unit/mesher/mesh_io_test.cpp
+  unit/mesher/tools_cad_test.cpp
   unit/mesher/tools_distance_test.cpp
   unit/mesher/tools_scene_test.cpp
 )
