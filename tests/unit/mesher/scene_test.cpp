@@ -91,6 +91,7 @@ TEST(Scene, EchoHoldsEveryKeyWithAValue) {
   const std::string echo = scene_to_toml(unusual_scene());
   for (const auto& key : scene_keys()) {
     if (key.table.rfind("tools", 0) == 0) continue;  // a tool echoes the keys of its own shape
+    if (key.table == "drape") continue;              // not together with a frame; drape_test.cpp
     EXPECT_NE(echo.find("\n" + key.name + " = "), std::string::npos) << key.name;
   }
 }
