@@ -78,6 +78,9 @@ private:
     std::vector<ContactSums> sums;  // per block, valid where measured
     std::vector<double> depth;      // mm; per block, greatest penetration, valid where measured
     std::vector<int> hint;          // per node, of triangles
+    Components measured_at;         // mm; per node, of triangles: where its distance was last measured,
+    Doubles far;                    // mm; that distance plus the tool's way so far then (-inf: never)
+    double way = 0.0;               // mm; the tool's so far, back and forth
     Vec3 force = {0.0, 0.0, 0.0};   // N; on the fabric
     double area = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0, deepest = 0.0;
     [[nodiscard]] double reaction() const;  // N; force along the direction
@@ -87,6 +90,7 @@ private:
   void refuse_penetration(const State& start) const;
   void move_tools(double time, double step);
   void treat_block(int block, State& state, double step);
+  static void triangle_distances(Partner& partner, const ContactNodes& nodes, int first, Distances& distances);
   void sum_blocks(Partner& partner, double reaction_before);
   void read_instruments();
   void check(const Partner& partner, const State& state) const;

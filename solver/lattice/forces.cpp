@@ -6,6 +6,7 @@
 
 #include "mesher/base/error.hpp"
 #include "solver/lattice/row_blocks.hpp"
+#include "solver/element/sheared_start.hpp"
 #include "solver/lattice/row_kernels.hpp"
 
 namespace weaveform {
@@ -113,6 +114,7 @@ struct FabricForces::Kernels {
       history_cell = history_cell_kernels(model.formulation == "side-frame" ? Frame::side : Frame::green_naghdi, kind,
                                           shear.is_paper);
       start_history(start);
+      start_sheared(model);
     } else {
       cell = cell_kernels(model.formulation == "contravariant" ? Formulation::contravariant : Formulation::energy, kind,
                           shear.is_paper);
@@ -125,7 +127,7 @@ struct FabricForces::Kernels {
     }
   }
 
-  // Histories begin with the directions of the start state and no stress.
+  // Histories begin with the directions of the start state ...
   void start_history(const State& start) {
     lattice_history.allocate(packed.lattice_nodes());
     loose_history.allocate(packed.loose_cells.size());
@@ -145,6 +147,37 @@ struct FabricForces::Kernels {
           loose_history.current()[3 + c][e] += loose.weft_coefficient[e][a] * x[loose.node[e][a]];
         }
     }
+  }
+
+  // ... and the stress of a cell that starts sheared.
+  void start_sheared(const ModelSpec& model) {
+    if (shear.is_paper) return start_sheared_with(shear.paper, model);
+    start_sheared_with(shear.general, model);
+  }
+
+  template <class Law>
+  void start_sheared_with(const Law& law, const ModelSpec& model) {
+    const bool side = model.formulation == "side-frame", constant = model.thickness == "constant";
+    const auto start_cell = [&](std::array<Doubles, cell_history_size>& store, std::size_t n, double volume) {
+      const double g1[3] = {store[0][n], store[1][n], store[2][n]}, g2[3] = {store[3][n], store[4][n], store[5][n]};
+      CellHistory h{};
+      if (side)
+        h = constant ? sheared_start<Frame::side, Thickness::constant>(law, g1, g2, volume)
+                     : sheared_start<Frame::side, Thickness::constant_volume>(law, g1, g2, volume);
+      else
+        h = constant ? sheared_start<Frame::green_naghdi, Thickness::constant>(law, g1, g2, volume)
+                     : sheared_start<Frame::green_naghdi, Thickness::constant_volume>(law, g1, g2, volume);
+      const double value[5] = {h.stress1, h.stress2, h.stress4, h.strain, h.work};
+      for (int k = 0; k < 5; ++k) store[6 + k][n] = value[k];
+    };
+    for (int j = 0; j + 1 < packed.rows; ++j)
+      for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r)
+        for (int i = packed.cell_runs.run[r].begin; i < packed.cell_runs.run[r].end; ++i) {
+          const auto n = static_cast<std::size_t>(j) * packed.stride + i;
+          start_cell(lattice_history.current(), n, packed.cell_area[n] * thickness);
+        }
+    for (int e = 0; e < packed.loose_cells.size(); ++e)
+      start_cell(loose_history.current(), static_cast<std::size_t>(e), packed.loose_cells.area[e] * thickness);
   }
 
   [[nodiscard]] RowPair row_pair(const Components& values, int row_a, int shift_b, int row_b) const {
