@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "mesher/base/error.hpp"
-#include "solver/lattice/row_blocks.hpp"
 #include "solver/element/sheared_start.hpp"
+#include "solver/lattice/row_blocks.hpp"
 #include "solver/lattice/row_kernels.hpp"
 
 namespace weaveform {
@@ -93,6 +93,7 @@ struct FabricForces::Kernels {
   CellKernels cell{};
   HistoryCellKernels history_cell{};
   HistoryStore lattice_history, loose_history;
+  RowRuns warp_runs, weft_runs, cell_runs;  // padded, but for cells with a history
   std::vector<int> block;
   std::vector<Scratch> scratch;
   std::array<std::array<Doubles, 3>, 2> loose_yarn_force;
@@ -106,6 +107,9 @@ struct FabricForces::Kernels {
         shear(shape_shear_law(card.shear)),
         row_power(packed_mesh.rows, 0.0),
         has_history(model.formulation == "incremental" || model.formulation == "side-frame"),
+        warp_runs(padded_runs(packed_mesh.warp_runs)),
+        weft_runs(padded_runs(packed_mesh.weft_runs)),
+        cell_runs(has_history ? packed_mesh.cell_runs : padded_runs(packed_mesh.cell_runs)),
         block(balanced_blocks(packed_mesh, threads)) {
     const Section section = model.section == "constant" ? Section::constant : Section::incompressible;
     for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(section, yarn_law[f].is_paper);
@@ -197,9 +201,9 @@ struct FabricForces::Kernels {
     double* const t[3] = {s.along[0].data(), s.along[1].data(), s.along[2].data()};
     const RowPair rows = row_pair(state.position, j, 1, j), velocity = row_pair(state.velocity, j, 1, j);
     const double* area = packed.warp_section.data() + static_cast<std::size_t>(j) * packed.stride;
-    for (int r = packed.warp_runs.first[j]; r < packed.warp_runs.first[j + 1]; ++r)
+    for (int r = warp_runs.first[j]; r < warp_runs.first[j + 1]; ++r)
       row_power[j] += yarn[0].row(yarn_law[0].pointer(), rows, velocity, packed.spacing[0], viscosity[0], area,
-                                  packed.warp_runs.run[r].begin, packed.warp_runs.run[r].end, t);
+                                  warp_runs.run[r].begin, warp_runs.run[r].end, t);
   }
 
   // Weft elements and cells between rows j and j+1.
@@ -211,18 +215,18 @@ struct FabricForces::Kernels {
     const RowPair rows = row_pair(state.position, j, 0, j + 1), velocity = row_pair(state.velocity, j, 0, j + 1);
     const auto offset = static_cast<std::size_t>(j) * packed.stride;
     double* const t[3] = {s.across[0].data(), s.across[1].data(), s.across[2].data()};
-    for (int r = packed.weft_runs.first[j]; r < packed.weft_runs.first[j + 1]; ++r) {
-      const double power = yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1],
-                                       packed.weft_section.data() + offset, packed.weft_runs.run[r].begin,
-                                       packed.weft_runs.run[r].end, t);
+    for (int r = weft_runs.first[j]; r < weft_runs.first[j + 1]; ++r) {
+      const double power =
+          yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1],
+                      packed.weft_section.data() + offset, weft_runs.run[r].begin, weft_runs.run[r].end, t);
       if (!foreign) row_power[j] += power;
     }
     const CellRowOutput out{{s.p[0].data(), s.p[1].data(), s.p[2].data()},
                             {s.q[0].data(), s.q[1].data(), s.q[2].data()}};
     const double inverse1 = 1.0 / packed.spacing[0], inverse2 = 1.0 / packed.spacing[1];
     const double* area = packed.cell_area.data() + offset;
-    for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r) {
-      const auto [begin, end] = packed.cell_runs.run[r];
+    for (int r = cell_runs.first[j]; r < cell_runs.first[j + 1]; ++r) {
+      const auto [begin, end] = cell_runs.run[r];
       if (has_history)
         history_cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end,
                          lattice_history.arrays(offset, foreign ? &s.spare_history : nullptr), out);
@@ -232,7 +236,7 @@ struct FabricForces::Kernels {
   }
 
   [[nodiscard]] Run reach(int j) const {
-    return united(packed.span(j), j + 1 < packed.rows ? packed.span(j + 1) : Run{});
+    return padded(united(packed.span(j), j + 1 < packed.rows ? packed.span(j + 1) : Run{}));
   }
 
   void lattice_block(State& state, int first, int last, Scratch& s) {
