@@ -97,7 +97,8 @@ SolveResult Analysis::run() {
   else
     perturb();
   if (!directory_.empty())
-    frames_ = std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0);
+    frames_ =
+        std::make_unique<FrameWriter>(directory_, mesh_, options_.resume ? frame_schedule_.index() : 0, tool_names());
   if (!options_.resume) renew_step();
   if (options_.resume)
     recompute_fabric_forces();
@@ -188,6 +189,7 @@ void Analysis::open_outputs() {
   if (!row_due && !frame_due) return;
   fields_ = compute_fields(mesh_, card_, scene_.model, time, mesh_positions(packed_, state_));
   if (frame_due) {
+    if (contact_ != nullptr) fields_.contact = contact_->contact_state(state_);
     if (frames_) frames_->write(fields_);
     frame_schedule_.advance(time);
   }
@@ -236,6 +238,12 @@ double Analysis::travelled() const {
   for (const auto& tool : scene_.tools)
     if (!tool.speed.empty()) least = std::min(least, travel_part(tool.speed, part));
   return least;
+}
+
+std::vector<std::string> Analysis::tool_names() const {
+  std::vector<std::string> names;
+  for (const auto& tool : scene_.tools) names.push_back(tool.name);
+  return names;
 }
 
 const std::vector<ToolReading>& Analysis::tool_readings() const {

@@ -44,6 +44,7 @@ private:
   void move(bool last);
   void check_state();
   [[nodiscard]] const std::vector<ToolReading>& tool_readings() const;
+  [[nodiscard]] std::vector<std::string> tool_names() const;
   [[nodiscard]] double travelled() const;
   [[nodiscard]] bool finished() const { return state_.time >= duration_ * (1.0 - 1e-12); }
 

@@ -118,6 +118,16 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
   }
 }
 
+void fill_thickness(const Mesh& mesh, const ModelSpec& model, Fields& fields) {
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const YarnDirections g = directions_at_centre(mesh.cells, cell, fields.position);
+    const double area_ratio = g.warp.cross(g.weft).norm();  // l1 l2 cos gamma
+    const double gain = area_ratio > 0.0 ? 1.0 / area_ratio : 0.0;
+    fields.areal_weight.push_back(gain);
+    fields.thickness.push_back(mesh.thickness * (model.thickness == "constant" ? 1.0 : gain));
+  }
+}
+
 void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model, Fields& fields) {
   const std::array<TangentLaw, 2> law = yarn_laws(card, model);
   const bool incompressible = model.section != "constant";
@@ -163,6 +173,7 @@ Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model
     for (int k = 0; k < 3; ++k) fields.displacement[node][k] = position[node][k] - mesh.nodes.position[node][k];
 
   fill_cells(mesh.cells, fields);
+  fill_thickness(mesh, model, fields);
   fields.folded = folded_cells(mesh, position);
   fill_yarns(mesh.yarns, card, model, fields);
   return fields;
