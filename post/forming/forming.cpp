@@ -9,7 +9,8 @@ namespace {
 
 void find_greatest_angle(const Mesh& mesh, const Fields& fields, Forming& forming) {
   for (int c = 0; c < mesh.cells.size(); ++c) {
-    if (std::abs(fields.shear_angle[c]) <= std::abs(forming.greatest_angle)) continue;
+    // of cells that are equal but for rounding (a symmetric part) the first
+    if (std::abs(fields.shear_angle[c]) <= std::abs(forming.greatest_angle) + 1e-9) continue;
     forming.greatest_angle = fields.shear_angle[c];
     forming.greatest_angle_at.setZero();
     const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];

@@ -88,11 +88,14 @@ DrawIn draw_in(const std::vector<int>& outline, const std::vector<Vec3>& flat, c
     if (before && after) result.row.push_back({azimuth, *before, *after});
   }
   if (result.row.empty()) return result;
-  const auto less = [](const DrawInRow& a, const DrawInRow& b) { return a.draw_in() < b.draw_in(); };
-  const auto [least, greatest] = std::minmax_element(result.row.begin(), result.row.end(), less);
-  result.least = least->draw_in();
-  result.greatest = greatest->draw_in();
-  result.greatest_at = greatest->azimuth;
+  result.least = result.greatest = result.row.front().draw_in();
+  for (const auto& r : result.row) {
+    result.least = std::min(result.least, r.draw_in());
+    // of directions that are equal but for rounding (a symmetric part) the first
+    if (r.draw_in() <= result.greatest + 1e-6) continue;
+    result.greatest = r.draw_in();
+    result.greatest_at = r.azimuth;
+  }
   for (const auto& r : result.row) result.mean += r.draw_in() / static_cast<double>(result.row.size());
   return result;
 }

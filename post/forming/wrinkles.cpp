@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "post/forming/fabric_surface.hpp"
 #include "solver/bending/bending_energy.hpp"
@@ -53,9 +54,34 @@ LocalBend local(const Bend& bend) {
   return result;
 }
 
-// What kf has beyond the interval between 0 and kt.
-double excess(double kf, double kt) {
-  return std::max({kf - std::max(0.0, kt), std::min(0.0, kt) - kf, 0.0});
+// The curvatures that tools near a bend may give its yarn, and none.
+struct Interval {
+  double low = 0.0, high = 0.0;  // 1/mm
+  void take(double curvature) {
+    low = std::min(low, curvature);
+    high = std::max(high, curvature);
+  }
+  [[nodiscard]] double excess(double curvature) const { return std::max({curvature - high, low - curvature, 0.0}); }
+};
+
+// Per family. `place` holds the bend's own nodes.
+std::array<Interval, 2> tool_curvatures(const LocalBend& around, const std::vector<Vec3>& place,
+                                        const std::vector<PlacedTool>& tools) {
+  std::set<int> near;
+  for (const Vec3& x : place) near.insert(nearest_tool(tools, vector_of(x)));
+  std::array<Interval, 2> interval;
+  for (const int t : near) {
+    std::vector<Vec3> on_tool;
+    for (const Vec3& at : place) {
+      const Eigen::Vector3d x = vector_of(at);
+      const Gap gap = gap_to(tools[t], x);
+      const Eigen::Vector3d y = x - gap.gap * gap.normal;
+      on_tool.push_back({y.x(), y.y(), y.z()});
+    }
+    const auto kt = out_of_plane(around.bend, on_tool);
+    for (std::size_t f = 0; f < 2; ++f) interval[f].take(kt[f]);
+  }
+  return interval;
 }
 
 // Greatest difference of the gap to `tool` along a yarn, both ways from `node`, as far as `reach` (mm).
@@ -117,18 +143,13 @@ Wrinkles find_wrinkles(const Mesh& mesh, const std::vector<Vec3>& position, cons
     if (nearest < 0) continue;
     const PlacedTool& tool = tools[nearest];
     const LocalBend around = local(bend);
-    std::vector<Vec3> fabric, on_tool;
-    for (const int k : around.node) {
-      const Eigen::Vector3d x = vector_of(position[k]);
-      const Gap gap = gap_to(tool, x);
-      const Eigen::Vector3d y = x - gap.gap * gap.normal;
-      fabric.push_back(position[k]);
-      on_tool.push_back({y.x(), y.y(), y.z()});
-    }
-    const auto kf = out_of_plane(around.bend, fabric), kt = out_of_plane(around.bend, on_tool);
+    std::vector<Vec3> fabric;
+    for (const int k : around.node) fabric.push_back(position[k]);
+    const auto kf = out_of_plane(around.bend, fabric);
+    const auto allowed = tool_curvatures(around, fabric, tools);
     for (std::size_t f = 0; f < 2; ++f) {
       if (bend.yarn[f].yarns == 0.0) continue;
-      const double curvature = excess(kf[f], kt[f]);
+      const double curvature = allowed[f].excess(kf[f]);
       const double relief = relief_along(mesh, path[f], n, position, tool, 0.5 * limits.length * mesh.thickness);
       if (relief > least_relief && curvature > least_curvature) wrinkles.wrinkled[n] = true;
       if (relief * curvature < wrinkles.relief[n] * wrinkles.curvature[n]) continue;

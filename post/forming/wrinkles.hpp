@@ -3,11 +3,12 @@
 // At a node, with the tool T nearest to it and along each of the two yarns through it:
 //   relief     greatest difference of the gap to T between the node and the yarn's nodes up to half a wrinkle length
 //              away (and the next node on either side in any case); a sinusoidal wrinkle of amplitude a has 2 a
-//   curvature  what the yarn's curvature out of the fabric's plane, kf, has beyond the interval between 0 and kt, the
-//              curvature of the same nodes brought onto T along their distances. A taut fabric that leaves a tool is
-//              straighter than the tool (between 0 and kt) and counts for nothing; one bent more than the tool, or the
-//              other way, counts by the excess. kf and kt are differences over the same nodes, so that fabric on a tool
-//              has none to rounding, however coarse the net. A wrinkle a sin(2 pi x/l) on a plane has a (2 pi/l)^2.
+//   curvature  what the yarn's curvature out of the fabric's plane, kf, has beyond the interval that 0 and kt span, kt
+//              the curvature of the same nodes brought onto a tool along their distances: T, and the tools nearest to
+//              the nodes before and after. A taut fabric that leaves a tool is straighter than the tool and counts for
+//              nothing, also where it passes from one to another; fabric bent more than its tools, or the other way,
+//              counts by the excess. kf and kt are differences over the same nodes, so that fabric on a tool has none
+//              to rounding, however coarse the net. A wrinkle a sin(2 pi x/l) on a plane has a (2 pi/l)^2.
 // Either is second order in the spacing. A node is wrinkled when along one yarn both pass their limits: half the height
 // x thicknesses (relief > 2 x t), and the curvature that a wrinkle of this amplitude and of the limiting length has,
 //   y = x t (2 pi/l)^2 .
