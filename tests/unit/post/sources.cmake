@@ -1,6 +1,8 @@
 set(UNIT_POST_SOURCES
   unit/post/bias_extension_test.cpp
   unit/post/contours_test.cpp
+  unit/post/forming_test.cpp
   unit/post/post_test.cpp
   unit/post/summary_test.cpp
+  unit/post/wrinkles_test.cpp
 )
