@@ -21,8 +21,8 @@ struct Fields {
   std::vector<Vec3> displacement;   // mm; per node, from the mesh's initial position
   std::vector<double> shear_angle;  // rad; per cell, signed: sin gamma = g1.g2 of the unit yarn directions
   std::vector<Vec3> warp, weft;     // unit yarn directions; per cell
-  // mm; per cell. With l1, l2 the yarns' stretch at its centre the cell's area is A = A0 l1 l2 cos gamma, so at
-  // constant volume t = t0 A0/A = t0/(l1 l2 cos gamma); 0 for a cell without area. model.thickness = "constant": t0.
+  // mm; per cell. With l1, l2 the yarns' stretch (mean of a full cell's sides) its area is A = A0 l1 l2 cos gamma, so
+  // at constant volume t = t0 A0/A = t0/(l1 l2 cos gamma); 0 for a cell without area. model.thickness = "constant": t0.
   std::vector<double> thickness;
   std::vector<double> areal_weight;  // 1; per cell, fibre mass per area over that of the flat fabric, A0/A; 0 likewise
   std::vector<bool> folded;          // per cell: area vector turned against the cell's neighbours' (see folded_cells)
