@@ -16,8 +16,8 @@ struct MeridianPoint {
 };
 
 // From the axis outwards to the fabric's edge, a point wherever the cut crosses an edge of a triangle; `azimuth` (rad)
-// counts from the warp. Where the fabric is cut more than once (folds) the piece that passes nearest to the axis is
-// followed. Empty when the half-plane meets no fabric.
+// counts from the warp. Where the axis passes through folds of the fabric, one of them is followed. Empty when the
+// half-plane meets no fabric.
 [[nodiscard]] std::vector<MeridianPoint> meridian(const FabricSurface& surface, const PartAxis& axis, double azimuth);
 
 }  // namespace weaveform
