@@ -67,6 +67,11 @@ Placement Contact::Partner::place() const {
   return place;
 }
 
+ContactTool Contact::Partner::contact_tool() const {
+  const double v = motion.velocity();
+  return {place().origin, {v * tool.direction[0], v * tool.direction[1], v * tool.direction[2]}};
+}
+
 Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
                  double fabric_step, int threads)
     : packed_(packed),
@@ -245,10 +250,7 @@ void Contact::treat_block(int block, State& state, double step) {
   for (auto& partner : partners_) {
     const ContactNodes nodes = block_nodes(block, partner, state);
     double& clearance = partner.clearance[block];
-    const ContactTool tool = {
-        partner.place().origin,
-        {partner.motion.velocity() * partner.tool.direction[0], partner.motion.velocity() * partner.tool.direction[1],
-         partner.motion.velocity() * partner.tool.direction[2]}};
+    const ContactTool tool = partner.contact_tool();
     const bool was_clear = clearance > 0.0;  // at the step before: no node stuck to the tool
     if (was_clear) {
       if (speed < 0.0) speed = greatest_speed({0.0, 0.0, 0.0}, nodes);

@@ -20,6 +20,7 @@
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/tool.hpp"
 #include "solver/contact/contact_kernel.hpp"
+#include "solver/contact/contact_state.hpp"
 #include "solver/contact/tool_motion.hpp"
 #include "solver/contact/tool_reading.hpp"
 #include "solver/lattice/packed.hpp"
@@ -57,6 +58,9 @@ public:
   // quarter of one (everything else is that of the mesh).
   [[nodiscard]] const std::vector<ToolReading>& readings() const { return readings_; }
 
+  // Per mesh node, at the positions of the last add_forces (contact_state.hpp).
+  [[nodiscard]] ContactState contact_state(const State& state) const;
+
   struct Cost {
     double penetration = 0.0;    // 1; greatest so far, as a fraction of the fabric's thickness
     double friction_work = 0.0;  // mJ
@@ -85,6 +89,7 @@ private:
     double area = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0, deepest = 0.0;
     [[nodiscard]] double reaction() const;  // N; force along the direction
     [[nodiscard]] Placement place() const;
+    [[nodiscard]] ContactTool contact_tool() const;
   };
   Partner make_partner(const Tool& tool, const ToolSpec& spec, double duration, const State& start) const;
   void refuse_penetration(const State& start) const;

@@ -140,7 +140,8 @@ SolveResult Analysis::run() {
   else
     perturb();
   if (!directory_.empty())
-    frames_ = std::make_unique<FrameWriter>(directory_, whole_, options_.resume ? frame_schedule_.index() : 0);
+    frames_ =
+        std::make_unique<FrameWriter>(directory_, whole_, options_.resume ? frame_schedule_.index() : 0, tool_names());
   if (!options_.resume) renew_step();
   if (options_.resume)
     recompute_fabric_forces();
@@ -236,6 +237,19 @@ void Analysis::set_viscous_time(double beta) {
   forces_.set_viscosity({beta * stiffest[0], beta * stiffest[1]});
 }
 
+ContactState Analysis::whole_contact_state() const {
+  ContactState state = contact_->contact_state(state_);
+  if (part_ == nullptr) return state;
+  const auto share = node_share(mesh_.symmetry, mesh_.node_count());
+  std::vector<int> source;
+  std::vector<double> factor;
+  for (const auto& image : part_->image) {
+    source.push_back(image.node);
+    factor.push_back(1.0 / share[image.node]);
+  }
+  return unfolded(state, source, factor);
+}
+
 void Analysis::open_outputs() {
   const double time = state_.time;
   const bool row_due = row_schedule_.due(time), frame_due = frame_schedule_.due(time);
@@ -245,6 +259,7 @@ void Analysis::open_outputs() {
   fields_ =
       compute_fields(whole_, card_, scene_.model, time, part_ != nullptr ? unfold(*part_, whole_, position) : position);
   if (frame_due) {
+    if (contact_ != nullptr) fields_.contact = whole_contact_state();
     if (frames_) frames_->write(fields_);
     frame_schedule_.advance(time);
   }
@@ -293,6 +308,12 @@ double Analysis::travelled() const {
   for (const auto& tool : scene_.tools)
     if (!tool.speed.empty()) least = std::min(least, travel_part(tool.speed, part));
   return least;
+}
+
+std::vector<std::string> Analysis::tool_names() const {
+  std::vector<std::string> names;
+  for (const auto& tool : scene_.tools) names.push_back(tool.name);
+  return names;
 }
 
 const std::vector<ToolReading>& Analysis::tool_readings() const {

@@ -5,6 +5,8 @@ set(UNIT_POST_SOURCES
   unit/post/dic_comparison_test.cpp
   unit/post/dic_instrument_test.cpp
   unit/post/dic_readers_test.cpp
+  unit/post/forming_test.cpp
   unit/post/post_test.cpp
   unit/post/summary_test.cpp
+  unit/post/wrinkles_test.cpp
 )
