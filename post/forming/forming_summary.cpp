@@ -100,6 +100,7 @@ Json forming_json(const Forming& forming) {
   json["wrinkles"] = {{"area_share", forming.wrinkles.area_share},
                       {"relief_mm", forming.wrinkles.greatest_relief},
                       {"curvature_per_mm", forming.wrinkles.greatest_curvature},
+                      {"of_the_mesh", forming.wrinkles.area_share > 0.0 && !forming.has_bending},
                       {"relief_limit_mm", forming.wrinkle_limits.relief(thickness)},
                       {"curvature_limit_per_mm", forming.wrinkle_limits.curvature(thickness)}};
   json["thickness_mm"] = {{"flat", thickness}, {"least", forming.thinnest}, {"largest", forming.thickest}};
@@ -129,6 +130,11 @@ std::string forming_table(const Forming& forming) {
       100.0 * forming.wrinkles.area_share, forming.wrinkle_limits.relief(thickness),
       forming.wrinkle_limits.curvature(thickness), forming.wrinkles.greatest_relief,
       forming.wrinkles.greatest_curvature);
+  if (forming.wrinkles.area_share > 0.0 && !forming.has_bending)
+    lines +=
+        "        the model has no bending stiffness: where it wrinkles the folds are as short as its cells and grow "
+        "with\n"
+        "        refinement; believe that it wrinkles, not how, and set model.cell = \"rotation-free\" or \"shell\"\n";
   lines += fmt::format("thick   {:.4f} to {:.4f} mm, flat {:.4f}\n", forming.thinnest, forming.thickest, thickness);
   if (forming.sphere_net) lines += sphere_lines(*forming.sphere_net);
   return lines;

@@ -56,6 +56,31 @@ TEST(FormingChain, CoarseHemisphereGivesAllOutputs) {
     EXPECT_FALSE(fs::exists(out / name)) << name << " of the run before";
 }
 
+// A membrane has nothing to set the length of its wrinkles but the mesh, and says so; with bending it does not fold
+// here.
+TEST(FormingChain, AMembraneThatWrinklesSaysThatTheFoldsAreTheMeshs) {
+  const TemporaryFolder folder;
+  const auto draw = [&](const std::string& cell) {
+    const auto run =
+        run_command("weaveform run '" WEAVEFORM_SOURCE_DIR "/examples/hemisphere_pw.toml' --output " + cell +
+                        " --set blank.coarsening=4 "
+                        "--set tools.binder.force=50 --set model.cell=" +
+                        cell,
+                    folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const bool told = run.out.find("the model has no bending stiffness") != std::string::npos;
+    std::ifstream stream(folder.path() / cell / "summary.json");
+    const auto wrinkles = nlohmann::json::parse(stream)["forming"]["wrinkles"];
+    EXPECT_EQ(wrinkles["of_the_mesh"].get<bool>(), told);
+    return std::pair(told, wrinkles["area_share"].get<double>());
+  };
+  const auto membrane = draw("membrane"), bending = draw("rotation-free");
+  EXPECT_TRUE(membrane.first);
+  EXPECT_GT(membrane.second, 0.01);
+  EXPECT_FALSE(bending.first);
+  EXPECT_LT(bending.second, membrane.second);
+}
+
 // No sphere, a tool that is pushed instead of travelling, a blank that lies askew.
 TEST(FormingChain, PressedBlankWithoutPunchHasNoPunchOutputs) {
   const TemporaryFolder folder;
