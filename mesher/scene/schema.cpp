@@ -28,8 +28,10 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                                   "the first"}),
     key<&BlankSpec::outline>(
         {.name = "outline",
-         .doc = "for shape = \"file\", relative to the scene file: CSV with rows x,y (mm, blank's frame), closed "
-                "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
+         .doc =
+             "for shape = \"file\", relative to the scene file: STEP, IGES, BREP or Gmsh script (.geo) with a planar "
+             "face or closed curves, chords within 0.01 mm; or CSV with rows x,y (mm, blank's frame), closed "
+             "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
     key<&BlankSpec::arm_width>({.name = "arm_width",
                                 .unit = "mm",
                                 .limits = above(0),

@@ -1,19 +1,16 @@
 #include "mesher/tools/cad.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmsh.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
-#include <iostream>
 #include <unordered_map>
 
 #include "mesher/base/error.hpp"
+#include "mesher/tools/gmsh_session.hpp"
 
 namespace weaveform {
 namespace {
@@ -28,55 +25,6 @@ std::string ending(const fs::path& file) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
 }
-
-// OpenCASCADE, which Gmsh reads CAD with, prints to standard output, where a script looks for answers.
-class Silence {
-public:
-  Silence() : output_(dup(STDOUT_FILENO)) {
-    std::fflush(stdout);
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (nowhere < 0) return;
-    dup2(nowhere, STDOUT_FILENO);
-    close(nowhere);
-  }
-  ~Silence() {
-    if (output_ < 0) return;
-    std::fflush(stdout);
-    std::cout.flush();
-    dup2(output_, STDOUT_FILENO);
-    close(output_);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  int output_;
-};
-
-// Gmsh is one global state: set up for one file, gone after it.
-class Session {
-public:
-  explicit Session(const fs::path& file) {
-    if (!std::ifstream(file)) throw FileError(file.string() + ": cannot read this file; check its name and rights");
-    gmsh::initialize(0, nullptr, false);
-    try {
-      gmsh::option::setNumber("General.Terminal", 0);
-      gmsh::option::setNumber("General.NumThreads", 1);
-      gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
-      gmsh::open(file.string());
-      gmsh::model::occ::synchronize();
-    } catch (...) {
-      gmsh::finalize();
-      throw InputError(file.string() + ": Gmsh cannot read this geometry; write it again as STEP");
-    }
-  }
-  ~Session() { gmsh::finalize(); }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-
-private:
-  Silence silence_;
-};
 
 using Point = std::array<double, 3>;
 
@@ -144,7 +92,7 @@ bool is_cad_file(const fs::path& file) {
 }
 
 CadSurface read_cad(const fs::path& file, double chord_tolerance) {
-  const Session session(file);
+  const GmshSession session(file);
   for (double per_turn = first_per_turn;;) {
     CadSurface surface;
     try {
@@ -171,7 +119,7 @@ CadSurface read_cad(const fs::path& file, double chord_tolerance) {
 }
 
 void convert_cad(const fs::path& from, const fs::path& to) {
-  const Session session(from);
+  const GmshSession session(from);
   try {
     gmsh::write(to.string());
   } catch (...) {
