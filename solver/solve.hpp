@@ -15,6 +15,7 @@ struct SolveOptions {
   int threads = 0;      // 0: chosen from the size
   bool resume = false;  // go on from DIR/checkpoint.bin
   bool quiet = false;
+  long most_steps = 0;  // stop there, for a trial; 0: run to the end
 };
 
 struct SolveResult {

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/plan.hpp"
 #include "app/result_folder.hpp"
 #include "app/stages.hpp"
 
@@ -15,9 +16,15 @@ struct MeshArguments {
   SceneArguments scene;
   std::string output;
   bool quiet = false;
+  bool plan = false;
+  int threads = 0;
 };
 
 void make_mesh(const MeshArguments& arguments) {
+  if (arguments.plan) {
+    print_answer(plan_table(make_plan(arguments.scene.scene, arguments.scene.overrides, arguments.threads)));
+    return;
+  }
   const Model model = build_model(arguments.scene.scene, arguments.scene.overrides);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
@@ -34,6 +41,9 @@ void add_mesh_command(CLI::App& program) {
   add_scene_arguments(*command, arguments->scene);
   add_output_argument(*command, arguments->output);
   add_quiet_argument(*command, arguments->quiet);
+  command->add_flag("--plan", arguments->plan,
+                    "Only say what each coarsening would take: cells, yarn, step, steps, time and memory");
+  command->add_option("--threads", arguments->threads, "Threads of the plan's trials; 0 chooses");
   command->callback([arguments] { make_mesh(*arguments); });
 }
 

@@ -158,7 +158,7 @@ SolveResult Analysis::run() {
     const bool last = finished();
     move(last);
     if (row_open_) close_row();
-    if (last) break;
+    if (last || (options_.most_steps > 0 && state_.step >= options_.most_steps)) break;
     compute_forces();
     if (InterruptWatch::requested()) leave_checkpoint();
   }

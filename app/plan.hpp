@@ -1,0 +1,28 @@
+// What an analysis will take before it is run: the table of `weaveform mesh --plan`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace weaveform {
+
+struct PlanRow {
+  double factor = 1.0;                          // on the scene's coarsening
+  std::string refused;                          // why there is no mesh at this coarsening; then nothing below counts
+  int cells = 0, solved = 0;                    // of the whole, of the part that symmetry leaves
+  double warp_length = 0.0, weft_length = 0.0;  // mm; of yarn
+  double step = 0.0;                            // s; of the flat blank
+  double steps = 0.0;                           // expected
+  double seconds = 0.0;                         // expected, of the solve
+  double megabytes = 0.0;                       // expected, of the whole process
+};
+
+// Coarsening 8, 4, 2, 1 and a half of the scene's. Cells, lengths and the flat step are those of the real mesh; steps
+// are duration over step, times what shear shortened the step by in a trial: the finest level of a few seconds, run to
+// its end. Seconds are steps times what a few hundred steps took on the very mesh, on this machine, now. Throws
+// InputError when no level can be meshed.
+[[nodiscard]] std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<std::string>& overrides,
+                                             int threads);
+[[nodiscard]] std::string plan_table(const std::vector<PlanRow>& rows);
+
+}  // namespace weaveform
