@@ -26,6 +26,7 @@ int run_command(int argc, char** argv) {
   weaveform::add_fit_command(program);
   weaveform::add_chart_command(program);
   weaveform::add_unit_cell_command(program);
+  weaveform::add_study_command(program);
   weaveform::add_keys_command(program);
   try {
     program.parse(argc, argv);

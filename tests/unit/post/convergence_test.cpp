@@ -1,0 +1,129 @@
+// Convergence on manufactured sequences f = F + C h^p, whose order and limit are known.
+#include "post/convergence/convergence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mesher/base/error.hpp"
+
+namespace weaveform {
+namespace {
+
+std::vector<Level> sequence(const std::vector<double>& sizes, double limit, double factor, double order) {
+  std::vector<Level> levels;
+  for (const double h : sizes) levels.push_back({h, limit + factor * std::pow(h, order)});
+  return levels;
+}
+
+// Halving, unequal ratios either way, and nearly equal sizes.
+const std::vector<std::vector<double>> size_zoo = {{1, 2, 4}, {1, 1.3, 4}, {0.2, 0.9, 1.1}, {4.783, 10.16, 20.33}};
+
+TEST(Convergence, FindsOrderAndLimitOfAnyRatios) {
+  for (const auto& sizes : size_zoo) {
+    for (const double order : {0.5001, 1.0, 1.37, 2.0}) {
+      for (const double factor : {0.3, -0.02}) {
+        const Convergence found = converge(sequence(sizes, 7.0, factor, order));
+        EXPECT_EQ(found.trend, Trend::monotone);
+        // differences of the levels keep about 12 digits
+        EXPECT_NEAR(found.order, order, 1e-7);
+        EXPECT_NEAR(found.limit, 7.0, 1e-7);
+      }
+    }
+  }
+}
+
+TEST(Convergence, DoesNotDependOnTheOrderLevelsAreGivenIn) {
+  const auto levels = sequence({1, 2, 4}, 7.0, 0.3, 1.5);
+  EXPECT_DOUBLE_EQ(converge(levels).limit, converge({levels[2], levels[0], levels[1]}).limit);
+}
+
+// NASA's NPARC tutorial of spatial convergence: pressure recovery on three grids, p = 1.786170, limit 0.971300, index
+// of the finest 0.103083 %.
+TEST(Convergence, IsThePublishedExampleOfTheIndex) {
+  const Convergence found = converge({{1, 0.97050}, {2, 0.96854}, {4, 0.96178}});
+  EXPECT_NEAR(found.order, 1.786170, 1e-6);
+  EXPECT_NEAR(found.limit, 0.971300, 5e-7);
+  EXPECT_NEAR(found.index, 0.00103083, 5e-9);
+}
+
+TEST(Convergence, BoundOfTheFinestLevelIsTheIndex) {
+  const auto levels = sequence({1, 2, 4}, 100.0, 0.5, 1.0);
+  const Refinement refinement = refine(levels);
+  // relative to the limit here, to the finest result there
+  EXPECT_NEAR(refinement.error_bound[0] * 100.0, refinement.finest.index * 100.5, 1e-10);
+  EXPECT_NEAR(refinement.finest.uncertainty, 0.25 * 0.5, 1e-10);
+}
+
+TEST(Convergence, WhatIsNotAsymptoticHasNoLimitButABroadBound) {
+  struct Case {
+    std::array<double, 3> result;  // finest first
+    Trend trend;
+  };
+  for (const auto& [result, trend] :
+       {Case{{1.0, 1.1, 1.0}, Trend::oscillating}, Case{{1.0, 1.0, 1.1}, Trend::oscillating},
+        Case{{1.0, 1.1, 1.15}, Trend::diverging}, Case{{1.0, 1.1, 1.21}, Trend::slow}}) {
+    const Convergence found = converge({{1, result[0]}, {2, result[1]}, {4, result[2]}});
+    EXPECT_EQ(found.trend, trend) << trend_words(found.trend);
+    EXPECT_EQ(found.limit, result[0]);
+    EXPECT_GT(found.uncertainty, 0.5) << "a spread of 0.1 promises nothing finer";
+  }
+}
+
+TEST(Convergence, OrderAboveTheSchemesIsNotTrusted) {
+  const Convergence found = converge(sequence({1, 2, 4}, 7.0, 0.01, 5.0));
+  EXPECT_EQ(found.trend, Trend::fast);
+  EXPECT_NEAR(found.order, 5.0, 1e-7);
+  EXPECT_GE(found.uncertainty, std::abs(found.limit - 7.0)) << "the truth lies inside the bound";
+  EXPECT_EQ(converge(sequence({1, 2, 4}, 7.0, 0.01, 5.0), 6.0).trend, Trend::monotone);
+}
+
+TEST(Convergence, OfAResultThatDoesNotChangeIsDone) {
+  const Convergence found = converge({{1, 36.1}, {2, 36.1}, {4, 36.1}});
+  EXPECT_EQ(found.trend, Trend::unchanging);
+  EXPECT_LT(error_bound(found, 36.1), 1e-11);
+  EXPECT_EQ(error_bound(converge({{1, 0.0}, {2, 0.0}, {4, 0.0}}), 0.0), 0.0);
+}
+
+TEST(Convergence, NeedsThreeLevelsThatDiffer) {
+  EXPECT_THROW((void)converge({{1, 1}, {2, 2}}), InputError);
+  EXPECT_THROW((void)converge({{1, 1}, {2, 2}, {2, 3}}), InputError);
+  EXPECT_THROW((void)converge({{0, 1}, {2, 2}, {4, 3}}), InputError);
+  EXPECT_THROW((void)converge({{1, std::numeric_limits<double>::quiet_NaN()}, {2, 2}, {4, 3}}), InputError);
+}
+
+TEST(Refinement, CoarsestLevelWithinATolerance) {
+  // F = 100, errors 1, 2, 4, 8 %; with a quarter of the finest error on top 1.25, 2.25, 4.25, 8.25 %.
+  const Refinement refinement = refine(sequence({1, 2, 4, 8}, 100.0, 1.0, 1.0));
+  EXPECT_EQ(coarsest_within(refinement, 0.09), 3);
+  EXPECT_EQ(coarsest_within(refinement, 0.0426), 2);
+  EXPECT_EQ(coarsest_within(refinement, 0.0224), 0);
+  EXPECT_EQ(coarsest_within(refinement, 0.0124), -1);
+  EXPECT_TRUE(refinement.checked);
+  EXPECT_TRUE(refinement.agreed);
+}
+
+// A coarse level may hit the limit by chance between two that miss it.
+TEST(Refinement, ALuckyLevelIsNotChosen) {
+  const Refinement refinement = refine({{1, 100.1}, {2, 100.2}, {4, 100.4}, {8, 110.0}, {16, 100.0}});
+  EXPECT_EQ(coarsest_within(refinement, 0.01), 2);
+}
+
+TEST(Refinement, LevelsThatTellDifferentLimitsDoNotAgree) {
+  EXPECT_FALSE(refine({{1, 1.0}, {2, 2.0}, {4, 4.0}, {8, 4.1}}).agreed);
+  EXPECT_FALSE(refine({{1, 1.0}, {2, 2.0}, {4, 4.0}}).checked);
+}
+
+TEST(ParetoFront, HoldsWhatNothingBeats) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  //                                       0    1    2    3    4    5
+  const std::vector<double> time = {8.0, 1.0, 2.0, 4.0, 1.0, nan};
+  const std::vector<double> error = {0.1, 5.0, 2.0, 3.0, 6.0, 0.0};
+  EXPECT_EQ(pareto_front(time, error), (std::vector<std::size_t>{1, 2, 0}));
+  EXPECT_TRUE(pareto_front({}, {}).empty());
+}
+
+}  // namespace
+}  // namespace weaveform
