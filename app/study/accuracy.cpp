@@ -53,13 +53,16 @@ std::optional<SolvedLevel> solve_level(const Scene& scene, double factor, const 
   const Case one{case_name(text), text, {setting}};
   RunOptions run;
   run.threads = options.threads;
-  run.log = options.log;
   run_cases({one}, folder, run);
   const CaseFiles files = case_files(folder, one.name);
   const auto ended = outcome(files, text);
   outcome_now = ended.value_or(Outcome{1, "left no result"});
-  if (outcome_now.exit_code != 0) return std::nullopt;
+  if (outcome_now.exit_code != 0) {
+    options.log(fmt::format("coarsening x {:g}: left out: {}", factor, outcome_now.error));
+    return std::nullopt;
+  }
   SolvedLevel level{factor, files.results, mesh_size(files.results), measure(files.results, "wall_s"), {}};
+  options.log(fmt::format("coarsening x {:g}: spacing {:.4g} mm, solved in {:.3g} s", factor, level.size, level.wall));
   for (const std::string& name : measures) level.value.push_back(measure(files.results, name));
   return level;
 }

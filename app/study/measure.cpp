@@ -89,6 +89,7 @@ double measure(const std::filesystem::path& directory, const std::string& name) 
 std::vector<std::string> default_measures(const Scene& scene) {
   std::vector<std::string> names = {"max_shear_angle_deg"};
   for (const GripSpec& grip : scene.grip) names.push_back("grips." + grip.name + ".force_N");
+  if (scene.frame) names.push_back("last(" + scene.frame->grip + ".force_N)");
   for (const ToolSpec& tool : scene.tools) names.push_back("tools." + tool.name + ".force_N");
   return names;
 }

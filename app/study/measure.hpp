@@ -15,7 +15,7 @@ namespace weaveform::study {
 // name), FileError when its file cannot be read. Not a number where the file says null.
 [[nodiscard]] double measure(const std::filesystem::path& directory, const std::string& name);
 
-// The scene's own: the greatest shear angle, and the last force of each grip and tool.
+// The scene's own: the greatest shear angle, and the last force of each grip, frame and tool.
 [[nodiscard]] std::vector<std::string> default_measures(const Scene& scene);
 
 // h = sqrt(warp spacing * weft spacing) of DIR/mesh.vtu, mm: the size of its cells as it was built (fitted to the

@@ -10,7 +10,7 @@ const std::vector<Key<StudyHead>>& head_keys() {
           {.name = "measures",
            .doc = "columns of `study.csv`: a number of `summary.json` by its path (`grips.top.force_N`, `wall_s`), or "
                   "`last(COLUMN)`, `max(COLUMN)`, `min(COLUMN)` of `history.csv`; left out: `max_shear_angle_deg` and "
-                  "the last force of each grip and tool"}),
+                  "the last force of each grip, frame and tool"}),
       key<&StudyHead::threads>({.name = "threads",
                                 .unit = "1",
                                 .limits = between(1, 1024),

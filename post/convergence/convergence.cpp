@@ -51,8 +51,8 @@ double order_of(double ratio, double log_fine, double log_coarse) {
   return 0.5 * (low + high);
 }
 
-Convergence without_limit(Trend trend, double order, double finest, double spread, double log_fine) {
-  const double uncertainty = cautious_safety * spread / std::expm1(least_order * log_fine);
+Convergence without_limit(Trend trend, double order, double finest, double change, double log_fine) {
+  const double uncertainty = cautious_safety * change / std::expm1(least_order * log_fine);
   return {trend, order, finest, uncertainty, uncertainty / std::abs(finest)};
 }
 
@@ -78,8 +78,8 @@ Convergence converge(std::vector<Level> three, double greatest_order) {
   if (std::abs(fine) <= rounding || coarse / fine <= 0.0)
     return without_limit(Trend::oscillating, no_number, f1, spread, log_fine);
   const double order = order_of(coarse / fine, log_fine, log_coarse);
-  if (order <= 0.0) return without_limit(Trend::diverging, no_number, f1, spread, log_fine);
-  if (order < least_order) return without_limit(Trend::slow, order, f1, spread, log_fine);
+  if (order <= 0.0) return without_limit(Trend::diverging, no_number, f1, std::abs(fine), log_fine);
+  if (order < least_order) return without_limit(Trend::slow, order, f1, std::abs(fine), log_fine);
   const bool too_fast = order > greatest_order * (1.0 + 1e-6);
   const double correction = -fine / std::expm1(std::min(order, greatest_order) * log_fine);
   const double factor = too_fast ? cautious_safety : safety;

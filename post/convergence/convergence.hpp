@@ -4,13 +4,12 @@
 // Levels of characteristic size h1 < h2 < h3 (1 the finest) with results f1, f2, f3. Asymptotically f = F + C h^p, so
 //     (f3 − f2)/(f2 − f1) = (h3^p − h2^p)/(h2^p − h1^p)         observed order p (any ratios; Celik et al. 2008)
 //     F = f1 + (f1 − f2)/((h2/h1)^p − 1)                        limit (Richardson 1911)
-//     GCI = 1.25 |f1 − f2| / (|f1| ((h2/h1)^p − 1))             of three levels (Roache 1994, Eq. 22; factor: Roache
-//     1998)
+//     GCI = 1.25 |f1 − f2| / (|f1| ((h2/h1)^p − 1))             of three levels (Roache 1994; 1998)
 // The index bounds the finest level's error by 1.25 |f1 − F|, which leaves F itself uncertain by 0.25 |f1 − F|.
 // Where the three levels are not asymptotic (they oscillate, diverge, or p < 1/2) there is no limit to extrapolate to:
-// f1 stands for it, uncertain by 3 spread/(sqrt(h2/h1) − 1), spread = max f − min f: the index with the factor 3 and
-// the least order 1/2 of Oberkampf & Roy (2010, section 8.6.3). An observed order above `greatest_order` is chance, and
-// `greatest_order` is used instead (same source); it bounds the error with the factor 3, for the same reason.
+// f1 stands for it, uncertain by 3 |f2 − f1|/(sqrt(h2/h1) − 1), the index with the factor 3 and the least order 1/2 of
+// Oberkampf & Roy (2010, section 8.6.3); when the levels oscillate, with max f − min f for the difference. An observed
+// order above `greatest_order` is chance, and `greatest_order` is used instead, with the factor 3 too (same source).
 #pragma once
 
 #include <cstddef>
