@@ -63,7 +63,7 @@ std::string describe(const Case& one) {
   std::string text;
   for (const Setting& setting : one.settings)
     text += fmt::format("{}{}={}", text.empty() ? "" : " ", setting.key, setting.value);
-  return text;
+  return text.empty() ? "the scene as it is" : text;
 }
 
 std::string case_text(const Scene& scene) {

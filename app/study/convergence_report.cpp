@@ -82,11 +82,13 @@ std::string verdict(const Refinement& refinement) {
   else if (finest.trend == Trend::fast)
     trust = "the order is above the scheme's, which is used instead; the bound has the factor 3";
   else if (!refinement.checked)
-    trust = "from three levels, which cannot check themselves";
+    trust = "from three levels, which cannot check themselves: the bound has the factor 3";
   else
-    trust = refinement.agreed ? "the three next coarser levels agree" : "the three next coarser levels do NOT agree";
-  return fmt::format("{}{}; limit {:.6g} within {:.2g}; grid-convergence index {:.3g} %; {}", trend_words(finest.trend),
-                     order, finest.limit, finest.uncertainty, 100.0 * finest.index, trust);
+    trust = refinement.agreed ? "the three next coarser levels agree"
+                              : "the three next coarser levels do NOT agree: the bound has the factor 3";
+  return fmt::format("{}{}; limit {:.6g} within {:.2g}; grid-convergence index {:.3g} % (finest level); {}",
+                     trend_words(finest.trend), order, finest.limit, refinement.uncertainty, 100.0 * finest.index,
+                     trust);
 }
 
 std::string convergence_markdown(const ConvergenceSpec& spec, const std::vector<ConvergenceOf>& all,
@@ -126,7 +128,7 @@ std::string convergence_csv(const ConvergenceSpec& spec, const std::vector<Conve
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(one.measure), csv_field(one.group),
                           row.one.name, csv_field(value_of(spec, row)), csv_number(one.level[i].size),
                           csv_number(refinement.level[i].result), csv_number(refinement.error_bound[i], 6), order,
-                          csv_number(refinement.finest.limit), csv_number(refinement.finest.uncertainty, 6),
+                          csv_number(refinement.finest.limit), csv_number(refinement.uncertainty, 6),
                           trend_words(refinement.finest.trend));
     }
   }

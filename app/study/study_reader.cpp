@@ -49,6 +49,8 @@ std::string text_of(const toml::node& node) {
     for (const auto& item : *list) text += (text.empty() ? "" : ", ") + text_of(item);
     return "[" + text + "]";
   }
+  if (const auto* word = node.as_string()) return toml_text(word->get()).value_or("\"\"");
+  if (const auto* number = node.as_floating_point()) return *toml_text(number->get());
   std::ostringstream text;
   node.visit([&](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>) text << value;

@@ -59,7 +59,7 @@ void add_limits(WorkPrecision& one, const std::vector<ConvergenceOf>& convergenc
     const Convergence& finest = group.refinement->finest;
     for (std::size_t i = 0; i < group.level.size(); ++i)
       one.point.push_back(point_of(group.level[i].row, table.row[group.level[i].row], group.refinement->level[i].result,
-                                   finest.limit, finest.uncertainty));
+                                   finest.limit, group.refinement->uncertainty));
   }
 }
 

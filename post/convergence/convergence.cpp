@@ -51,6 +51,10 @@ double order_of(double ratio, double log_fine, double log_coarse) {
   return 0.5 * (low + high);
 }
 
+double relative(double distance, double scale) {
+  return distance == 0.0 ? 0.0 : distance / scale;
+}
+
 Convergence without_limit(Trend trend, double order, double finest, double change, double log_fine) {
   const double uncertainty = cautious_safety * change / std::expm1(least_order * log_fine);
   return {trend, order, finest, uncertainty, uncertainty / std::abs(finest)};
@@ -87,11 +91,6 @@ Convergence converge(std::vector<Level> three, double greatest_order) {
           factor * std::abs(correction) / std::abs(f1)};
 }
 
-double error_bound(const Convergence& convergence, double result, double scale) {
-  const double distance = std::abs(result - convergence.limit) + convergence.uncertainty;
-  return distance == 0.0 ? 0.0 : distance / (scale > 0.0 ? scale : std::abs(convergence.limit));
-}
-
 Refinement refine(std::vector<Level> levels, double greatest_order, double scale) {
   if (levels.size() < 3) throw InputError(fmt::format("{} levels; an observed order needs three", levels.size()));
   std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) { return a.size < b.size; });
@@ -102,8 +101,6 @@ Refinement refine(std::vector<Level> levels, double greatest_order, double scale
     neighbours.push_back(converge({first, first + 3}, greatest_order));
   for (const Convergence& each : neighbours) refinement.order.push_back(each.order);
   refinement.finest = neighbours.front();
-  for (const Level& level : levels)
-    refinement.error_bound.push_back(error_bound(refinement.finest, level.result, scale));
   if (neighbours.size() > 1) {
     const Convergence &fine = neighbours[0], &coarse = neighbours[1];
     refinement.checked = true;
@@ -112,6 +109,14 @@ Refinement refine(std::vector<Level> levels, double greatest_order, double scale
         asymptotic(fine.trend) && asymptotic(coarse.trend) &&
         std::abs(fine.limit - coarse.limit) <= fine.uncertainty + coarse.uncertainty + 1e-12 * std::abs(fine.limit);
   }
+  const double limit = refinement.finest.limit;
+  refinement.uncertainty = refinement.finest.uncertainty;
+  if (!refinement.agreed)
+    refinement.uncertainty =
+        std::max(refinement.uncertainty, (cautious_safety - 1.0) * std::abs(levels.front().result - limit));
+  for (const Level& level : levels)
+    refinement.error_bound.push_back(
+        relative(std::abs(level.result - limit) + refinement.uncertainty, scale > 0.0 ? scale : std::abs(limit)));
   refinement.level = std::move(levels);
   return refinement;
 }

@@ -38,19 +38,21 @@ struct Convergence {
 // results are finite.
 [[nodiscard]] Convergence converge(std::vector<Level> three, double greatest_order = 2.0);
 
-// Bound of a level's error, (|f − limit| + uncertainty)/scale; a scale of 0 means |limit|. Give another where the limit
-// may be near zero (a grip that bears no load).
-[[nodiscard]] double error_bound(const Convergence& convergence, double result, double scale = 0.0);
-
-// All levels of a setting: what its three finest say, what each three neighbours say, and how well those agree.
+// All levels of a setting: what its three finest say, what each three neighbours say, and how well those agree. Three
+// levels cannot check themselves, so the index's factor 1.25 is trusted only where the next three levels agree; else
+// the factor is 3 here too. (Measured: the hemisphere example's greatest angle, 43.61, 50.98, 52.88 deg, observed
+// order 1.96, has by its index a limit of 53.54 within 0.16, but is 54.07 at half the last spacing.)
 struct Refinement {
-  std::vector<Level> level;         // finest first
-  std::vector<double> error_bound;  // of each level
-  Convergence finest;               // of the three finest
-  std::vector<double> order;        // observed by each three neighbours, finest first
-  bool checked = false;             // there are four levels or more,
+  std::vector<Level> level;   // finest first
+  Convergence finest;         // of the three finest
+  std::vector<double> order;  // observed by each three neighbours, finest first
+  bool checked = false;       // there are four levels or more,
   bool agreed = false;  // and the limits of the finest three and the next three lie within their uncertainties, both
                         // being monotone: asymptotic as far as levels can tell
+  double uncertainty = 0.0;  // of the limit: finest.uncertainty when agreed, else at least 2 |f1 − limit|
+  std::vector<double>
+      error_bound;  // of each level: (|f − limit| + uncertainty)/scale, 0 for an exact result; a scale of
+                    // 0 means |limit|: give another where that may be near zero (a grip without load)
 };
 [[nodiscard]] Refinement refine(std::vector<Level> levels, double greatest_order = 2.0, double scale = 0.0);
 

@@ -83,15 +83,16 @@ TEST_F(StudyRun, InterruptedLeavesCheckpointsAndResumes) {
 
 TEST_F(StudyRun, FailingCasesAreRecordedAndTheOthersFinish) {
   write_study(
-      "[[case]]\n[[case]]\nblank.coarsening = 30\n[[case]]\nanalysis.step_factor = 4\nanalysis.step_check = false\n"
+      "[[case]]\n[[case]]\nblank.coarsening = 30\n[[case]]\nmodel.yarn_law = \"linear\"\n"
+      "analysis.step_factor = 4\nanalysis.step_check = false\n"
       "[[case]]\nblank.coarsening = 3\n");
   const auto result = run("weaveform study s.toml --output out --jobs 2");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(says(result.err, "2 done, 2 failed, 0 not run")) << result.err;
   const std::string table = read_text(file("out/study.csv"));
-  EXPECT_TRUE(says(table, ",30,,,2,")) << table;
-  EXPECT_TRUE(says(table, "blank.size")) << "the error line: " << table;
-  EXPECT_TRUE(says(table, ",,4,false,3,")) << table;
+  EXPECT_TRUE(says(table, ",30,,,,2,")) << table;
+  EXPECT_TRUE(says(table, ".toml: blank.coarsening: ")) << "the error line: " << table;
+  EXPECT_TRUE(says(table, ",linear,4,false,3,")) << table;
   const auto again = run("weaveform study s.toml --output out");
   EXPECT_TRUE(says(again.err, "every case has been run before")) << again.err;
   EXPECT_EQ(read_text(file("out/study.csv")), table);
