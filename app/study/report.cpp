@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/study/convergence_report.hpp"
 #include "app/study/measure.hpp"
@@ -50,6 +51,21 @@ void count(const Table& table, Report& report) {
     else
       ++(row.outcome->exit_code == 0 ? report.done : report.failed);
   }
+}
+
+// A result folder's own scene begins with the program that wrote it.
+void check_versions(const Table& table, const fs::path& study_folder, Report& report) {
+  std::set<std::string> versions;
+  for (const Row& row : table.row) {
+    if (!row.outcome || row.outcome->exit_code != 0) continue;
+    const std::string scene = read_text(case_files(study_folder, row.one.name).results / "scene.toml");
+    versions.insert(scene.substr(0, scene.find('\n')));
+  }
+  if (versions.size() > 1)
+    report.complaints.push_back(
+        fmt::format("{} versions of weaveform have run these cases (see cases/*/scene.toml); to compare what only the "
+                    "scene changes, use a new --output folder",
+                    versions.size()));
 }
 
 }  // namespace
@@ -101,6 +117,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
   const Measures measures = measures_of(study);
   const Table table = collect(study, cases, measures.all, study_folder, report.complaints);
   count(table, report);
+  check_versions(table, study_folder, report);
   report.answer = table_text(table, measures.columns);
   std::vector<ConvergenceOf> convergence;
   if (study.convergence) {

@@ -1,11 +1,16 @@
 #include "app/study/runner.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <set>
 #include <thread>
 
@@ -42,6 +47,32 @@ std::vector<const Case*> unfinished(const std::vector<Case>& cases, const fs::pa
   }
   return left;
 }
+
+// Held while a study runs its cases; the system lets go of it however the program ends.
+class FolderLock {
+public:
+  explicit FolderLock(const fs::path& study_folder) {
+    const fs::path file = study_folder / "cases" / "lock";
+    std::error_code trouble;
+    fs::create_directories(file.parent_path(), trouble);
+    file_ = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0)
+      throw FileError(
+          fmt::format("{}: cannot be written ({}); choose another --output", file.string(), std::strerror(errno)));
+    if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+    close(file_);
+    throw FileError(
+        fmt::format("{}: another study is running its cases in this folder; wait for it, or choose another "
+                    "--output",
+                    study_folder.string()));
+  }
+  ~FolderLock() { close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+  int file_ = -1;
+};
 
 class Pool {
 public:
@@ -131,6 +162,7 @@ void write_case(const Case& one, const fs::path& study_folder) {
 }
 
 int run_cases(const std::vector<Case>& cases, const fs::path& study_folder, const RunOptions& options) {
+  const FolderLock lock(study_folder);
   const std::vector<const Case*> left = unfinished(cases, study_folder, options.retry);
   const InterruptWatch watch;
   Pool pool(study_folder, options, left.size());

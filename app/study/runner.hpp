@@ -21,8 +21,8 @@ struct RunOptions {
 
 // Runs those cases of the list that have not ended yet (case_files.hpp); equal ones once. An interrupted case goes on
 // from its checkpoint. Ctrl-C and SIGTERM are passed on to the running cases, which leave checkpoints, and throw
-// Interrupted; so does an exception of first_done, which then passes. Throws FileError; a failing case is not a failure
-// of the study. Gives the number of cases run now.
+// Interrupted; an exception of first_done kills them and passes. A failing case is not a failure of the study. Throws
+// FileError, also when another study is at work in the folder. Gives the number of cases run now.
 int run_cases(const std::vector<Case>& cases, const std::filesystem::path& study_folder, const RunOptions& options);
 
 // Writes the case's scene, NAME.toml, unless it is there. Throws FileError when another case has taken the name.

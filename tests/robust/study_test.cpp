@@ -44,8 +44,8 @@ private:
   TemporaryFolder folder_;
 };
 
-// Two short cases, then two long ones (some seconds each).
-constexpr const char* short_and_long = "[grid]\nanalysis.duration = [0.05, 0.06, 1.5, 1.6]\n";
+// Two short cases, then two long ones (a second each).
+constexpr const char* short_and_long = "[grid]\nanalysis.duration = [0.05, 0.06, 0.8, 0.9]\n";
 
 // Starts the study and sends it `signal` as soon as a case has ended, so that others are under way.
 std::string stopped_study(const std::string& signal) {
@@ -73,6 +73,8 @@ TEST_F(StudyRun, InterruptedLeavesCheckpointsAndResumes) {
   write_study(short_and_long);
   const auto stopped = run(stopped_study("TERM"));
   ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
+  const bool checkpoint = run("ls out/cases/*/checkpoint.bin").exit_code == 0;
+  EXPECT_TRUE(checkpoint) << "a case under way goes on from where it was";
   const auto partly = run("weaveform study s.toml --output out --collect --quiet");
   EXPECT_EQ(partly.exit_code, 0) << partly.err;
   EXPECT_TRUE(says(read_text(file("out/study.csv")), "not run"));
@@ -111,6 +113,21 @@ wait $run
   const std::string table = read_text(file("out/study.csv"));
   EXPECT_TRUE(says(table, ",3,139,killed by signal 11")) << table;
   EXPECT_TRUE(says(table, ",0.05,0,,")) << table;
+}
+
+TEST_F(StudyRun, TwoStudiesDoNotWriteIntoOneFolder) {
+  write_study("[grid]\nanalysis.duration = [3, 0.05]\n");
+  const auto result = run(R"("$BINARY" study s.toml --output out --jobs 2 --quiet &
+first=$!
+tries=0
+while ! ls out/cases/*.exit >/dev/null 2>&1 && [ $tries -lt 3000 ]; do sleep 0.01; tries=$((tries + 1)); done
+"$BINARY" study s.toml --output out --quiet
+second=$?
+kill -KILL $first
+exit $second
+)");
+  EXPECT_EQ(result.exit_code, 4) << result.err;
+  EXPECT_TRUE(says(result.err, "another study")) << result.err;
 }
 
 TEST_F(StudyRun, NothingDoneIsAFailure) {
