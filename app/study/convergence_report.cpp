@@ -74,21 +74,16 @@ std::vector<ConvergenceOf> convergence_of(const ConvergenceSpec& spec, const std
 std::string verdict(const Refinement& refinement) {
   const Convergence& finest = refinement.finest;
   const std::string order = std::isfinite(finest.order) ? fmt::format(", observed order {:.2f}", finest.order) : "";
-  const bool limit =
-      finest.trend == Trend::monotone || finest.trend == Trend::fast || finest.trend == Trend::unchanging;
   std::string trust;
-  if (!limit)
-    trust = "no limit can be extrapolated; the finest level stands for it, the bound has the factor 3";
-  else if (finest.trend == Trend::fast)
-    trust = "the order is above the scheme's, which is used instead; the bound has the factor 3";
-  else if (!refinement.checked)
-    trust = "from three levels, which cannot check themselves: the bound has the factor 3";
+  if (refinement.agreed)
+    trust = fmt::format("the three next coarser levels agree; grid-convergence index of the finest {:.3g} %",
+                        100.0 * finest.index);
+  else if (refinement.checked)
+    trust = "the levels do NOT agree on a limit; the finest stands for it, broadly bounded";
   else
-    trust = refinement.agreed ? "the three next coarser levels agree"
-                              : "the three next coarser levels do NOT agree: the bound has the factor 3";
-  return fmt::format("{}{}; limit {:.6g} within {:.2g}; grid-convergence index {:.3g} % (finest level); {}",
-                     trend_words(finest.trend), order, finest.limit, refinement.uncertainty, 100.0 * finest.index,
-                     trust);
+    trust = "three levels cannot check themselves; broadly bounded";
+  return fmt::format("{}{}; limit {:.6g} within {:.2g}; {}", trend_words(finest.trend), order, refinement.limit,
+                     refinement.uncertainty, trust);
 }
 
 std::string convergence_markdown(const ConvergenceSpec& spec, const std::vector<ConvergenceOf>& all,
@@ -128,7 +123,7 @@ std::string convergence_csv(const ConvergenceSpec& spec, const std::vector<Conve
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(one.measure), csv_field(one.group),
                           row.one.name, csv_field(value_of(spec, row)), csv_number(one.level[i].size),
                           csv_number(refinement.level[i].result), csv_number(refinement.error_bound[i], 6), order,
-                          csv_number(refinement.finest.limit), csv_number(refinement.uncertainty, 6),
+                          csv_number(refinement.limit), csv_number(refinement.uncertainty, 6),
                           trend_words(refinement.finest.trend));
     }
   }

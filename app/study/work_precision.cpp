@@ -48,18 +48,20 @@ void add_limits(WorkPrecision& one, const std::vector<ConvergenceOf>& convergenc
                 std::vector<std::string>& complaints) {
   for (const ConvergenceOf& group : convergence) {
     if (group.measure != one.measure) continue;
-    const bool known = group.refinement && (group.refinement->finest.trend == Trend::monotone ||
-                                            group.refinement->finest.trend == Trend::unchanging);
+    const bool known =
+        group.refinement &&
+        (group.refinement->agreed || (!group.refinement->checked && group.refinement->finest.trend == Trend::monotone));
     if (!known) {
+      const std::string reason = !group.refinement           ? "fewer than three levels"
+                                 : group.refinement->checked ? "the levels do not agree on one"
+                                                             : trend_words(group.refinement->finest.trend);
       complaints.push_back(
-          fmt::format("work precision of {} {}: no limit to compare with ({})", one.measure, group.group,
-                      group.refinement ? trend_words(group.refinement->finest.trend) : "fewer than three levels"));
+          fmt::format("work precision of {} {}: no limit to compare with ({})", one.measure, group.group, reason));
       continue;
     }
-    const Convergence& finest = group.refinement->finest;
     for (std::size_t i = 0; i < group.level.size(); ++i)
       one.point.push_back(point_of(group.level[i].row, table.row[group.level[i].row], group.refinement->level[i].result,
-                                   finest.limit, group.refinement->uncertainty));
+                                   group.refinement->limit, group.refinement->uncertainty));
   }
 }
 

@@ -55,8 +55,13 @@ double relative(double distance, double scale) {
   return distance == 0.0 ? 0.0 : distance / scale;
 }
 
+// Uncertainty of levels that are not asymptotic, from what changed between them.
+double without_order(double change, double log_fine) {
+  return cautious_safety * change / std::expm1(least_order * log_fine);
+}
+
 Convergence without_limit(Trend trend, double order, double finest, double change, double log_fine) {
-  const double uncertainty = cautious_safety * change / std::expm1(least_order * log_fine);
+  const double uncertainty = without_order(change, log_fine);
   return {trend, order, finest, uncertainty, uncertainty / std::abs(finest)};
 }
 
@@ -109,14 +114,19 @@ Refinement refine(std::vector<Level> levels, double greatest_order, double scale
         asymptotic(fine.trend) && asymptotic(coarse.trend) &&
         std::abs(fine.limit - coarse.limit) <= fine.uncertainty + coarse.uncertainty + 1e-12 * std::abs(fine.limit);
   }
-  const double limit = refinement.finest.limit;
+  refinement.limit = refinement.finest.limit;
   refinement.uncertainty = refinement.finest.uncertainty;
-  if (!refinement.agreed)
+  if (!refinement.agreed) {
+    const double f1 = levels[0].result, log_fine = std::log(levels[1].size / levels[0].size);
     refinement.uncertainty =
-        std::max(refinement.uncertainty, (cautious_safety - 1.0) * std::abs(levels.front().result - limit));
+        std::max({refinement.uncertainty, (cautious_safety - 1.0) * std::abs(f1 - refinement.limit),
+                  without_order(std::abs(levels[1].result - f1), log_fine)});
+    if (refinement.checked) refinement.limit = f1;
+  }
+  const double unit = scale > 0.0 ? scale : std::abs(refinement.limit);
   for (const Level& level : levels)
     refinement.error_bound.push_back(
-        relative(std::abs(level.result - limit) + refinement.uncertainty, scale > 0.0 ? scale : std::abs(limit)));
+        relative(std::abs(level.result - refinement.limit) + refinement.uncertainty, unit));
   refinement.level = std::move(levels);
   return refinement;
 }

@@ -70,11 +70,18 @@ TEST_F(StudyRun, KilledAndResumedGivesTheSameTable) {
 }
 
 TEST_F(StudyRun, InterruptedLeavesCheckpointsAndResumes) {
-  write_study(short_and_long);
-  const auto stopped = run(stopped_study("TERM"));
+  write_study("[grid]\nanalysis.duration = [0.05, 0.8, 0.9]\n");
+  // One at a time: when a second case has a frame, the first has ended and the second is surely under way.
+  const auto stopped = run(R"("$BINARY" study s.toml --output out --jobs 1 --quiet &
+run=$!
+tries=0
+frames() { ls out/cases/*/frames/frame_0001.vtu 2>/dev/null | wc -l; }
+while [ $(frames) -lt 2 ] && [ $tries -lt 3000 ]; do sleep 0.01; tries=$((tries + 1)); done
+kill -TERM $run
+wait $run
+)");
   ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
-  const bool checkpoint = run("ls out/cases/*/checkpoint.bin").exit_code == 0;
-  EXPECT_TRUE(checkpoint) << "a case under way goes on from where it was";
+  EXPECT_EQ(run("ls out/cases/*/checkpoint.bin").exit_code, 0) << "a case under way goes on from where it was";
   const auto partly = run("weaveform study s.toml --output out --collect --quiet");
   EXPECT_EQ(partly.exit_code, 0) << partly.err;
   EXPECT_TRUE(says(read_text(file("out/study.csv")), "not run"));
@@ -189,7 +196,7 @@ TEST_F(AccuracyRun, TakesTheCoarsestMeshWithinTheTolerance) {
   const auto result = run("weaveform run" + scene + "--accuracy 2% --finest 0.25 --output out");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(says(result.err, "within 2 %: coarsening x 1")) << result.err;
-  EXPECT_TRUE(says(result.out, "grid-convergence index")) << result.out;
+  EXPECT_TRUE(says(result.out, "; limit ")) << result.out;
   EXPECT_TRUE(fs::exists(file("out/result.pvd")));
   EXPECT_TRUE(fs::exists(file("out/accuracy.md")));
   ASSERT_EQ(run("weaveform run" + scene + "--set blank.coarsening=0.8 --output fine --quiet").exit_code, 0);
