@@ -22,6 +22,7 @@ void add_chart_command(CLI::App& program);
 void add_keys_command(CLI::App& program);
 void add_tool_command(CLI::App& program);
 void add_unit_cell_command(CLI::App& program);
+void add_study_command(CLI::App& program);
 
 // Options that several commands share, worded once.
 struct SceneArguments {

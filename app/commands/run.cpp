@@ -1,4 +1,6 @@
-// weaveform run SCENE: mesh, solve and post in one go.
+// weaveform run SCENE: mesh, solve and post in one go; with --accuracy, on the coarsest mesh that is fine enough.
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <memory>
 
@@ -6,6 +8,9 @@
 #include "app/console.hpp"
 #include "app/result_folder.hpp"
 #include "app/stages.hpp"
+#include "app/study/accuracy.hpp"
+#include "mesher/base/error.hpp"
+#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 
@@ -15,12 +20,50 @@ struct RunArguments {
   SceneArguments scene;
   std::string output;
   SolveOptions solve;
+  std::string accuracy;  // "2%"; "": the scene's own mesh
+  std::vector<std::string> measures;
+  double finest = 1.0;
 };
 
+std::filesystem::path folder_of(const RunArguments& arguments) {
+  return arguments.output.empty() ? default_result_folder(arguments.scene.scene)
+                                  : std::filesystem::path(arguments.output);
+}
+
+void run_to_accuracy(const RunArguments& arguments) {
+  if (arguments.solve.resume) throw InputError("--accuracy goes on where it stopped by itself; leave --resume out");
+  study::AccuracyOptions options;
+  options.tolerance = study::parse_accuracy(arguments.accuracy);
+  options.finest = arguments.finest;
+  options.measures = arguments.measures;
+  options.threads = arguments.solve.threads;
+  if (!arguments.solve.quiet) options.log = log_line;
+  const std::filesystem::path directory = folder_of(arguments);
+  const study::Accuracy found =
+      study::find_accuracy(arguments.scene.scene, arguments.scene.overrides, directory, options);
+  prepare_folder(directory);
+  constexpr auto over = std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
+  std::filesystem::copy(found.results, directory, over);
+  write_text_whole(directory / "accuracy.md", found.table);
+  if (!arguments.solve.quiet) {
+    print_answer(post_folder(directory));
+    print_answer("\n" + found.table);
+  }
+  if (!found.met)
+    throw PhysicsError(
+        fmt::format("{}: an error within {:.3g} % cannot be shown; the finest mesh (coarsening x {:g}) is in {}, what "
+                    "is known of its "
+                    "error in accuracy.md there; a finer --finest may show it",
+                    arguments.scene.scene, 100.0 * options.tolerance, found.factor, directory.string()));
+  if (!arguments.solve.quiet)
+    log_line(fmt::format("within {:.3g} %: coarsening x {:g}, in {}", 100.0 * options.tolerance, found.factor,
+                         directory.string()));
+}
+
 void run(const RunArguments& arguments) {
+  if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
   const Model model = build_model(arguments.scene.scene, arguments.scene.overrides);
-  const std::filesystem::path directory =
-      arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
+  const std::filesystem::path directory = folder_of(arguments);
   if (!arguments.solve.quiet) {
     log_start("run", model.scene);
     log_line(describe(model));
@@ -42,6 +85,22 @@ void add_run_command(CLI::App& program) {
   add_scene_arguments(*command, arguments->scene);
   add_output_argument(*command, arguments->output);
   add_solve_arguments(*command, arguments->solve);
+  auto* accuracy =
+      command
+          ->add_option("--accuracy", arguments->accuracy,
+                       "Solve coarser meshes first and take the coarsest within this error, e.g. 2% (docs/study.md)")
+          ->type_name("ERROR");
+  command
+      ->add_option("--measure", arguments->measures,
+                   "With --accuracy: what must be that exact (default: greatest shear angle, last forces); repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->needs(accuracy);
+  command
+      ->add_option("--finest", arguments->finest,
+                   "With --accuracy: least factor on the scene's coarsening (default 1: no finer than the scene)")
+      ->check(CLI::Range(0.01, 8.0))
+      ->needs(accuracy);
   command->callback([arguments] { run(*arguments); });
 }
 

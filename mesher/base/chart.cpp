@@ -167,6 +167,15 @@ std::string series_shape(const ChartSeries& series, int colour, const Scale& sx,
   return svg;
 }
 
+// To the upper right of its point, or to the lower left in the right half of the plot, where it might run out of it.
+std::string note_text(const ChartNote& note, const Scale& sx, const Scale& sy) {
+  if (!sx.shows(note.x) || !sy.shows(note.y)) return "";
+  const bool left_half = sx(note.x) < 0.5 * (sx.begin + sx.end);
+  return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"11\" text-anchor=\"{}\">{}</text>\n",
+                     sx(note.x) + (left_half ? 7.0 : -7.0), sy(note.y) + (left_half ? -6.0 : 14.0),
+                     left_half ? "start" : "end", escaped(note.text));
+}
+
 // One line of the legend at the upper left of the plot.
 std::string legend_entry(const std::string& label, const std::string& sample, int row) {
   return fmt::format("<g transform=\"translate({:.2f} {:.2f})\">{}<text x=\"34\" y=\"4\">{}</text></g>\n", left + 12,
@@ -220,6 +229,7 @@ Drawing draw(const Chart& chart, const Scale& sx, const Scale& sy) {
     drawing.shapes += series_shape(series, colour, sx, sy);
     explain(series.label, sample_of(series, colour));
   }
+  for (const auto& note : chart.notes) drawing.shapes += note_text(note, sx, sy);
   return drawing;
 }
 

@@ -33,12 +33,19 @@ struct ChartBand {
   int colour = -1;
 };
 
+// A word beside a point of the plot.
+struct ChartNote {
+  std::string text = {};
+  double x = 0.0, y = 0.0;
+};
+
 struct Chart {
   std::string title = {};
   ChartAxis x = {}, y = {};
   std::vector<ChartBand> bands = {};     // drawn first
   std::vector<ChartSeries> series = {};  // in order, later ones on top
   int width = 760, height = 480;         // px
+  std::vector<ChartNote> notes = {};     // on top of all
 };
 
 [[nodiscard]] std::string to_svg(const Chart& chart);

@@ -49,6 +49,10 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
 Scene with_absolute_paths(Scene scene) {
   for (ToolSpec& tool : scene.tools)
     if (!tool.file.empty()) tool.file = std::filesystem::absolute(tool_path(tool.file, scene.file)).lexically_normal();
+  if (!scene.blank.outline.empty() && std::filesystem::path(scene.blank.outline).is_relative())
+    scene.blank.outline =
+        std::filesystem::absolute(std::filesystem::path(scene.file).parent_path() / scene.blank.outline)
+            .lexically_normal();
   if (is_builtin_card(scene.fabric.material)) return scene;
   scene.fabric.material = std::filesystem::absolute(card_path(scene.fabric.material, scene.file)).lexically_normal();
   return scene;

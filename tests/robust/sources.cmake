@@ -5,4 +5,5 @@ set(ROBUST_SOURCES
   robust/include_direction_test.cpp
   robust/interrupted_test.cpp
   robust/result_folder_test.cpp
+  robust/study_test.cpp
 )

@@ -51,11 +51,13 @@ TEST(Chart, IsWellFormedOverBothKindsOfAxis) {
   for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
     Chart chart = some_chart();
     chart.y.scale = scale;
+    chart.notes = {{"here <", 2.0, 10.0}, {"on neither scale", 2.0, std::numeric_limits<double>::quiet_NaN()}};
     const std::string svg = to_svg(chart);
     EXPECT_TRUE(well_formed(svg)) << svg;
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
-    for (const char* label : {">band<", ">line<", ">points<"}) EXPECT_EQ(count_of(svg, label), 1u);
+    EXPECT_EQ(svg.find("neither"), std::string::npos);
+    for (const char* label : {">band<", ">line<", ">points<", ">here &lt;<"}) EXPECT_EQ(count_of(svg, label), 1u);
   }
 }
 

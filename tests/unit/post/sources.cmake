@@ -1,6 +1,7 @@
 set(UNIT_POST_SOURCES
   support/run_command.cpp
   unit/post/bias_extension_test.cpp
+  unit/post/convergence_test.cpp
   unit/post/contours_test.cpp
   unit/post/dic_comparison_test.cpp
   unit/post/dic_instrument_test.cpp

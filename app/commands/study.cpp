@@ -1,0 +1,94 @@
+// weaveform study STUDY: a scene in many variants, in parallel; one table, convergence, charts (docs/study.md).
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "app/study/report.hpp"
+#include "app/study/runner.hpp"
+#include "app/study/snakemake.hpp"
+#include "mesher/base/error.hpp"
+
+namespace weaveform {
+
+namespace {
+
+struct StudyArguments {
+  std::string file;
+  std::string output;
+  std::string format;  // of --export
+  int jobs = 0;
+  bool collect = false, retry = false, keys = false, quiet = false;
+};
+
+int jobs_of(const StudyArguments& arguments, const study::Study& plan) {
+  if (arguments.jobs > 0) return arguments.jobs;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / plan.head.threads);
+}
+
+void run_all(const StudyArguments& arguments, const study::Study& plan, const std::vector<study::Case>& cases,
+             const std::filesystem::path& directory) {
+  const study::Measures measures = study::measures_of(plan);
+  study::RunOptions options;
+  options.jobs = jobs_of(arguments, plan);
+  options.threads = plan.head.threads;
+  options.retry = arguments.retry;
+  if (!arguments.quiet) options.log = log_line;
+  options.first_done = [&](const study::Case& done) { study::check_measures(plan, measures, done, directory); };
+  if (!arguments.quiet) log_line(fmt::format("study: {} cases, {} at a time", cases.size(), options.jobs));
+  const int run = study::run_cases(cases, directory, options);
+  if (!arguments.quiet && run == 0) log_line("every case has been run before");
+}
+
+void study_command(const StudyArguments& arguments) {
+  if (arguments.keys) return print_answer(study::study_reference_markdown());
+  if (arguments.file.empty()) throw InputError("STUDY is required; 'weaveform study --help' tells more");
+  const study::Study plan = study::read_study(arguments.file);
+  const std::vector<study::Case> cases = study::expand(plan);
+  const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / plan.file.stem()
+                                                                   : std::filesystem::path(arguments.output);
+  if (!arguments.format.empty()) {
+    study::export_snakemake(plan, cases, directory);
+    if (!arguments.quiet)
+      log_line(fmt::format("{} cases; run them: snakemake --directory {} --snakefile {} --cores N", cases.size(),
+                           directory.string(), (directory / "Snakefile").string()));
+    return;
+  }
+  if (!arguments.collect) run_all(arguments, plan, cases, directory);
+  const study::Report report = study::write_report(plan, cases, directory);
+  if (!arguments.quiet) {
+    print_answer(report.answer);
+    for (const std::string& line : report.complaints) log_line("warning: " + line);
+    log_line(fmt::format("{} done, {} failed, {} not run; table: {}", report.done, report.failed, report.missing,
+                         (directory / "study.csv").string()));
+  }
+  if (report.done == 0)
+    throw PhysicsError(fmt::format("{}: no case is done; how each ended is in the table", directory.string()));
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program) {
+  auto* command = program.add_subcommand("study", "Run a scene in many variants, in parallel, into one table");
+  const auto arguments = std::make_shared<StudyArguments>();
+  command->add_option("STUDY", arguments->file, "Study file (TOML; 'weaveform study --keys' lists what it may hold)");
+  command->add_option("-o,--output", arguments->output, "Folder (default: results/NAME of the study file)")
+      ->type_name("DIR");
+  command->add_option("-j,--jobs", arguments->jobs, "Cases at a time (default: cores / threads of a case)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--retry", arguments->retry, "Run failed cases once more");
+  auto* collect =
+      command->add_flag("--collect", arguments->collect, "Run nothing; make the table of what has been run");
+  command->add_option("--export", arguments->format, "Run nothing; write the study as a workflow")
+      ->check(CLI::IsMember({"snakemake"}))
+      ->excludes(collect);
+  command->add_flag("--keys", arguments->keys, "Print every key of a study file (Markdown)");
+  add_quiet_argument(*command, arguments->quiet);
+  command->callback([arguments] { study_command(*arguments); });
+}
+
+}  // namespace weaveform

@@ -1,0 +1,73 @@
+// What a study file asks for, as plain data (docs/study.md). The defaults below are the only place where they are
+// written; study_schema.cpp names each key, its type and range.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesher/base/toml_document.hpp"
+
+namespace weaveform::study {
+
+// One scene key with the value a case gives it, and where the study file says so.
+struct Setting {
+  std::string key;               // "grip.top.travel", as in --set
+  std::string value;             // TOML on one line
+  std::optional<double> number;  // of a value that is a number, or a list of one and the same number
+  toml::source_region where = {};
+  [[nodiscard]] std::string override_text() const { return key + "=" + value; }
+};
+using Settings = std::vector<Setting>;
+
+// One direction in which the cases differ: its points are taken one at a time, each setting the same keys or fewer.
+struct Axis {
+  std::vector<Settings> point;
+};
+
+struct StudyHead {
+  std::string scene;                  // file, relative to the study file
+  std::vector<std::string> measures;  // columns of study.csv; empty: the scene's own (measure.hpp)
+  int threads = 1;                    // of each case
+};
+
+struct ConvergenceSpec {
+  std::string key;
+  std::vector<std::string> measures;  // empty: those of the study
+  std::string finer = "smaller";      // "smaller" or "larger" values of the key are finer
+  double tolerance = 0.02;            // relative
+  double greatest_order = 2.0;        // of the scheme
+};
+
+struct WorkPrecisionSpec {
+  std::vector<std::string> measures;  // empty: those of the study
+  std::string reference = "limit";  // "limit": Richardson's, of [convergence]; "case": the one of [work_precision.case]
+};
+
+struct Study {
+  std::filesystem::path file;
+  StudyHead head;
+  Settings set;            // of every case
+  std::vector<Axis> axes;  // the cases are the product of all axes, the last varying fastest
+  std::optional<ConvergenceSpec> convergence;
+  std::optional<WorkPrecisionSpec> work_precision;
+  Settings reference_case;  // of [work_precision.case]
+  toml::source_region measures_at = {}, convergence_at = {}, work_precision_at = {};
+};
+
+// Reads a study file. Throws InputError with every complaint at once, each "file:line:column: ...", and FileError.
+[[nodiscard]] Study read_study(const std::filesystem::path& file);
+[[nodiscard]] Study read_study_text(const std::string& text, const std::filesystem::path& name);
+
+// The scene file, found beside the study file.
+[[nodiscard]] std::filesystem::path scene_path(const Study& study);
+
+// Keys that differ between cases, in the order of the axes.
+[[nodiscard]] std::vector<std::string> varied_keys(const Study& study);
+
+// Every key of a study file (docs/study.md).
+[[nodiscard]] std::string study_reference_markdown();
+
+}  // namespace weaveform::study

@@ -1,0 +1,47 @@
+// The results of a study, a row for each case: study.csv.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/case_files.hpp"
+#include "app/study/cases.hpp"
+
+namespace weaveform::study {
+
+struct Row {
+  Case one;
+  std::optional<Outcome> outcome;  // none: has not ended
+  std::vector<double> value;       // of each measure; not a number when the case is not done
+  double size = 0.0;               // mm; of its mesh; not a number when the case is not done
+  double wall = 0.0;               // s; of its solve; not a number when the case is not done
+};
+
+struct Table {
+  std::vector<std::string> keys;      // varied
+  std::vector<std::string> measures;  // columns of Row::value
+  std::vector<Row> row;
+};
+
+// What the cases have left in the study folder. A done case that lacks a measure has no number there, and `complaints`
+// (one line for each measure) says so. Throws FileError, InputError (a damaged file).
+[[nodiscard]] Table collect(const Study& study, const std::vector<Case>& cases, std::vector<std::string> measures,
+                            const std::filesystem::path& study_folder, std::vector<std::string>& complaints);
+
+// Index of a measure's column; measures of [convergence] and [work_precision] that the study does not list have columns
+// of their own too.
+[[nodiscard]] std::size_t column_of(const Table& table, const std::string& measure);
+
+// case, the varied keys, exit_code, error, the measures. Empty where there is nothing. Ten significant digits.
+[[nodiscard]] std::string to_csv(const Table& table, std::size_t measure_columns);
+
+// ",FIELD" at the end of the text.
+void add_field(std::string& text, const std::string& field);
+
+// A field of a CSV file (RFC 4180), and a number with `digits`, empty when it is not finite.
+[[nodiscard]] std::string csv_field(const std::string& text);
+[[nodiscard]] std::string csv_number(double value, int digits = 10);
+
+}  // namespace weaveform::study
