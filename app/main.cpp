@@ -26,6 +26,8 @@ int run_command(int argc, char** argv) {
   weaveform::add_fit_command(program);
   weaveform::add_chart_command(program);
   weaveform::add_unit_cell_command(program);
+  weaveform::add_export_command(program);
+  weaveform::add_import_command(program);
   weaveform::add_keys_command(program);
   try {
     program.parse(argc, argv);
