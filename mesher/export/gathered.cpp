@@ -263,6 +263,7 @@ double tool_way(const ToolSpec& tool, double s) {
 }
 
 std::string fit(double value, std::size_t width) {
+  value += 0.0;  // no "-0"
   std::string text = fmt::format("{}", value);
   for (int digits = 17; text.size() > width && digits > 0; --digits) text = fmt::format("{:.{}g}", value, digits);
   return text;

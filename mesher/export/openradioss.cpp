@@ -14,7 +14,7 @@ std::string i10(long value) {
   return fmt::format("{:>10}", value);
 }
 std::string r20(double value) {
-  return fmt::format("{:>20}", fit(value, 20));
+  return fmt::format("{:>20}", fit(value, 19));
 }
 
 // Ids: parts, properties of yarn groups from 1, the cells' after them; materials 1 warp, 2 weft, 3 fabric; node groups

@@ -98,8 +98,8 @@ FibreText drape_openradioss(const FibreField& field, const std::string& written_
       const PlaneAngle found = angle_in_plane(field, element, flat, f == 0 ? element.state.warp : element.state.weft);
       if (!found.good) ++steep;
       block[f] += fmt::format("{:<10}{:>10}{:>20}{:>20}\n", element.node.size() == 4 ? "SHELL" : "SH3N", element.number,
-                              foreign::fit(element.state.thickness / field.flat_thickness, 20),
-                              foreign::fit(found.angle * degrees, 20));
+                              foreign::fit(element.state.thickness / field.flat_thickness, 19),
+                              foreign::fit(found.angle * degrees, 19));
     }
   }
   result.not_carried = {"fibre volume and mass ratios, distances: only in csv and vtu"};
