@@ -19,21 +19,20 @@ constexpr std::array<const char*, 2> family_name = {"warp", "weft"};
 
 std::vector<YarnGroup> group_yarns(const Mesh& mesh) {
   std::vector<YarnGroup> groups;
-  std::array<int, 2> count = {0, 0};
+  std::array<int, 2> count = {0, 0}, idle_count = {0, 0};
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto family = static_cast<std::size_t>(mesh.yarns.family[e]);
     const bool idle = mesh.yarns.softening[e] <= 0.0;
     const double section = mesh.yarns.section[e] * (idle ? idle_share : mesh.yarns.softening[e]);
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const YarnGroup& group) {
-      return group.family == family && group.idle == idle &&
-             (idle || std::abs(group.section - section) <= 1e-9 * section);
+      return group.family == family && group.idle == idle && std::abs(group.section - section) <= 1e-9 * section;
     });
     if (same != groups.end()) {
       same->element.push_back(e);
       continue;
     }
-    const std::string name =
-        idle ? fmt::format("{}_idle", family_name[family]) : fmt::format("{}_{}", family_name[family], ++count[family]);
+    const std::string name = idle ? fmt::format("{}_idle_{}", family_name[family], ++idle_count[family])
+                                  : fmt::format("{}_{}", family_name[family], ++count[family]);
     groups.push_back({name, family, section, idle, {e}});
   }
   return groups;
@@ -122,8 +121,9 @@ void list_mesh(const Mesh& mesh, std::vector<std::string>& lines) {
                     "which is the same force but also less mass",
                     soft));
   if (idle > 0)
-    lines.push_back(
-        fmt::format("free ends: {} yarn elements carry nothing; written with {:g} of their section", idle, idle_share));
+    lines.push_back(fmt::format(
+        "free ends: {} yarn elements carry nothing; written with {:g} of their section, and so of their mass", idle,
+        idle_share));
   if (many > 0)
     lines.push_back(
         fmt::format("cut cells: {} cells of 5 or 6 nodes are written as two shells each that share their "

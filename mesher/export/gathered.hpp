@@ -17,7 +17,7 @@ namespace weaveform::foreign {
 // Yarn elements of one family whose sections agree to 1e-9 (relative). Of a softened end the section is the softened
 // one, which is the same force; a tied free end carries nothing and gets idle_share of its section.
 struct YarnGroup {
-  std::string name;  // "warp_1", ...; "warp_idle"
+  std::string name;  // "warp_1", ...; "warp_idle_1", ...
   std::size_t family = 0;
   double section = 0.0;  // mm^2
   bool idle = false;

@@ -130,7 +130,7 @@ ExportedMesh write_gmsh(const Gathered& model) {
   auto& lost = result.not_carried;
   lost.push_back(
       "material, sections, thickness, ties, grips' motions and tools: a mesh file has none; node sets, yarn "
-      "families and the element data section_mm2 are there, the rest is in the section $Weaveform");
+      "families and the element data section_mm2 are there, the rest is in a section of Weaveform's own");
   const Membership member = memberships(model.mesh);
   std::string& out = result.text;
   out = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n" + header(model, "#", lost) + "$EndComments\n";

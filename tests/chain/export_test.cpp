@@ -1,10 +1,15 @@
 // Exported files in other programs' hands (Gmsh, CalculiX), and export -> import -> solve against the direct run.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -140,18 +145,31 @@ TEST_F(Export, GmshReadsTheMesh) {
   const Mesh mesh = weaveform::read_mesh(file("made") / "mesh.vtu");
   const Msh2 read = read_msh2(read_text(file("other.msh")));
   ASSERT_EQ(static_cast<int>(read.node.size()), mesh.node_count());
-  for (int n = 0; n < mesh.node_count(); ++n)
-    EXPECT_EQ(read.node.at(n + 1), mesh.nodes.position[n]) << "Gmsh writes 16 digits, all of ours have fewer";
+  // Gmsh numbers nodes anew when it writes, so they are known again by their places (16 digits, 1e-9 mm apart).
+  const auto key = [](const std::array<double, 3>& x) {
+    return std::array<long long, 3>{std::llround(x[0] * 1e8), std::llround(x[1] * 1e8), std::llround(x[2] * 1e8)};
+  };
+  std::map<std::array<long long, 3>, int> at;
+  for (int n = 0; n < mesh.node_count(); ++n) at[key(mesh.nodes.position[n])] = n;
+  std::map<int, int> ours;
+  for (const auto& [tag, x] : read.node) {
+    ASSERT_EQ(at.count(key(x)), 1U) << "node " << tag << " is at none of our places";
+    ours[tag] = at[key(x)];
+  }
+  std::set<std::array<int, 2>> warp, weft;
   int lines = 0, triangles = 0, quads = 0;
   std::map<int, std::set<int>> points;  // of a physical group
   for (const auto& [tag, element] : read.element) {
-    if (element.type == 15) points[element.group].insert(element.node[0]);
+    if (element.type == 15) points[element.group].insert(ours[element.node[0]]);
     if (element.type == 2) ++triangles;
     if (element.type == 3) ++quads;
     if (element.type != 1) continue;
     ++lines;
+    (element.group == read.name.at("warp").second ? warp : weft).insert({ours[element.node[0]], ours[element.node[1]]});
   }
   EXPECT_EQ(lines, mesh.yarn_count());
+  for (int e = 0; e < mesh.yarn_count(); ++e)
+    EXPECT_EQ((mesh.yarns.family[e] == weaveform::Family::warp ? warp : weft).count(mesh.yarns.node[e]), 1U) << e;
   int five = 0, six = 0, three = 0, four = 0;
   for (int c = 0; c < mesh.cells.size(); ++c) {
     const int size = mesh.cells.offset[c + 1] - mesh.cells.offset[c];
@@ -164,7 +182,7 @@ TEST_F(Export, GmshReadsTheMesh) {
   // an element stands once for each of its groups
   for (const auto& set : mesh.sets) {
     std::set<int> expected;
-    for (const int n : set.node) expected.insert(n + 1);
+    expected.insert(set.node.begin(), set.node.end());
     EXPECT_EQ(points[read.name.at(set.name).second], expected) << set.name;
   }
 }
@@ -261,25 +279,58 @@ TEST_F(Export, AFormedHemispheresDirectionsGoOntoAStructure) {
     for (std::string word; std::getline(fields, word, ',');) value.push_back(std::stod(word));
     ASSERT_EQ(value.size(), 15U);
     const int n = middle.at(static_cast<int>(value[0]));
+    const Eigen::Vector3d warp(value[4], value[5], value[6]), weft(value[7], value[8], value[9]);
+    EXPECT_NEAR(warp.norm(), 1.0, 1e-12);
+    EXPECT_NEAR(weft.norm(), 1.0, 1e-12);
+    const Eigen::Vector3d normal = warp.cross(weft).normalized();
     for (int f = 0; f < 2; ++f) {
       const auto a = neighbour(n, f == 0 ? -1 : 0, f == 0 ? 0 : -1), b = neighbour(n, f == 0 ? 1 : 0, f == 0 ? 0 : 1);
-      double dot = 0.0, length = 0.0, unit = 0.0;
-      for (int c = 0; c < 3; ++c) {
-        dot += (b[c] - a[c]) * value[4 + 3 * f + c];
-        length += (b[c] - a[c]) * (b[c] - a[c]);
-        unit += value[4 + 3 * f + c] * value[4 + 3 * f + c];
-      }
-      EXPECT_NEAR(unit, 1.0, 1e-12);
-      const double angle = std::acos(std::min(1.0, dot / std::sqrt(length))) * 180.0 / 3.14159265358979323846;
+      const Eigen::Vector3d chord(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+      const Eigen::Vector3d in_plane = (chord - chord.dot(normal) * normal).normalized();
+      const double angle =
+          std::acos(std::min(1.0, in_plane.dot(f == 0 ? warp : weft))) * 180.0 / 3.14159265358979323846;
       worst = std::max(worst, angle);
       squares += angle * angle;
       ++rows;
     }
   }
   EXPECT_EQ(rows, 2 * number);
-  printf("formed hemisphere onto 2 x 2: greatest angle %.3f deg, rms %.3f deg, %d shells\n", worst,
-         std::sqrt(squares / rows), number);
-  EXPECT_LT(std::sqrt(squares / rows), 5.0);
+  // measured 3.6 and 0.95 deg: shells of 79 mm across a punch of 75 mm (docs/export.md)
+  EXPECT_LT(worst, 5.0);
+  EXPECT_LT(std::sqrt(squares / rows), 1.5);
+}
+
+TEST_F(Export, EveryElementOfTheModelHasItsFile) {
+  for (const std::string yarn : {"truss", "beam", "seatbelt"})
+    for (const std::string cell : {"membrane", "shell"})
+      for (const std::string format : {"abaqus", "lsdyna", "openradioss", "gmsh"}) {
+        must("weaveform export tiny.toml --quiet --format " + format + " --output f --set model.yarn=" + yarn +
+             " --set model.cell=" + cell + cut);
+        const std::string text = read_text(file("f"));
+        EXPECT_EQ(text.find("nan"), std::string::npos) << format << yarn << cell;
+        EXPECT_EQ(text.find("inf "), std::string::npos) << format << yarn << cell;
+        if (format != "abaqus") continue;
+        EXPECT_NE(text.find(yarn == "beam" ? "TYPE=B31" : "TYPE=T3D2"), std::string::npos);
+        EXPECT_NE(text.find(cell == "shell" ? "TYPE=S4R" : "TYPE=M3D4R"), std::string::npos);
+      }
+}
+
+TEST_F(Export, ADamagedStructuralMeshIsRefused) {
+  must("weaveform run tiny.toml --output formed --quiet");
+  must("weaveform export formed --quiet --format vtu --output whole.vtu");
+  must("weaveform export formed --quiet --format csv --onto whole.vtu --output mapped.csv");
+  const std::string whole = read_text(file("whole.vtu"));
+  write_text(whole.substr(0, whole.size() / 2), file("cut.vtu"));
+  write_text("*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n*ELEMENT, TYPE=T3D2\n1, 1, 2\n", file("lines.inp"));
+  write_text("*NODE\n1, 0, 0\n", file("short.inp"));
+  const std::string onto = "weaveform export formed --quiet --format csv --output no.csv --onto ";
+  EXPECT_EQ(run(onto + "cut.vtu").exit_code, 4);
+  EXPECT_EQ(run(onto + "nowhere.vtu").exit_code, 4);
+  EXPECT_EQ(run(onto + "lines.inp").exit_code, 2);
+  const auto result = run(onto + "short.inp");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("short.inp:2: "), std::string::npos) << result.err;
+  EXPECT_FALSE(fs::exists(file("no.csv")));
 }
 
 TEST_F(Export, WrongUseIsWrongInput) {
