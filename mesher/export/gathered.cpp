@@ -148,6 +148,10 @@ void list_scene(const Scene& scene, std::vector<std::string>& lines) {
   if (scene.model.cell == "side-frame")
     lines.push_back(
         "model.cell = \"side-frame\": the frame tied to a side has no element elsewhere; written as shells");
+  if (scene.model.cell == "rotation-free")
+    lines.push_back(
+        "model.cell = \"rotation-free\": bending over neighbouring cells without rotations has no element "
+        "elsewhere; written as shells");
   if (scene.model.yarn == "beam")
     lines.push_back(
         "beams: yarns are pinned where they cross yet each runs on; where they share a node another code "
