@@ -20,12 +20,14 @@ int run_command(int argc, char** argv) {
   program.require_subcommand(1);
   weaveform::add_run_command(program);
   weaveform::add_mesh_command(program);
+  weaveform::add_drape_command(program);
   weaveform::add_solve_command(program);
   weaveform::add_post_command(program);
   weaveform::add_check_command(program);
   weaveform::add_fit_command(program);
   weaveform::add_chart_command(program);
   weaveform::add_unit_cell_command(program);
+  weaveform::add_tool_command(program);
   weaveform::add_export_command(program);
   weaveform::add_import_command(program);
   weaveform::add_keys_command(program);

@@ -22,8 +22,10 @@ namespace {
 constexpr std::string_view scene_copy_mark = "# Written by weaveform";
 
 // What solve and post leave in a result folder (solver/result/result.hpp, post/post.hpp).
-constexpr std::array result_files = {"result.pvd",   "history.csv",  "solve.json",
-                                     "contours.vtp", "summary.json", "checkpoint.bin"};
+constexpr std::array result_files = {
+    "result.pvd",     "history.csv",    "solve.json",  "contours.vtp", "summary.json",    "checkpoint.bin",
+    "meridians.csv",  "meridians.svg",  "outline.csv", "outline.vtp",  "wrinkles.vtp",    "punch_force.svg",
+    "sphere_net.csv", "sphere_net.svg", "drape.vtu",   "drape.json",   "flat_pattern.csv"};
 
 bool written_by_weaveform(const fs::path& scene_copy) {
   std::ifstream file(scene_copy);

@@ -6,6 +6,7 @@
 #include "mesher/material/card.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
+#include "post/forming/forming.hpp"
 #include "post/measure/bias_comparison.hpp"
 #include "post/output/contours.hpp"
 #include "post/output/summary.hpp"
@@ -55,6 +56,8 @@ std::string post_process(const fs::path& directory) {
   summary.measure = summarise_measures(scene, history);
   if (const auto specimen = find_bias_extension(scene))
     summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
+  summary.forming = evaluate_forming(scene, mesh, end, history);
+  if (summary.forming) write_forming(*summary.forming, mesh, end, directory);
   write_summary(summary, directory / "summary.json");
   return summary_table(summary);
 }

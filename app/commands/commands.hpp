@@ -14,12 +14,15 @@ void add_run_command(CLI::App& program);
 void add_mesh_command(CLI::App& program);
 void add_solve_command(CLI::App& program);
 void add_post_command(CLI::App& program);
+void add_dic_commands(CLI::App& post);  // compare, virtual, border
 void add_check_command(CLI::App& program);
+void add_drape_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
 void add_chart_command(CLI::App& program);
 void add_export_command(CLI::App& program);
 void add_import_command(CLI::App& program);
 void add_keys_command(CLI::App& program);
+void add_tool_command(CLI::App& program);
 void add_unit_cell_command(CLI::App& program);
 
 // Options that several commands share, worded once.

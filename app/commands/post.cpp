@@ -1,4 +1,5 @@
-// weaveform post DIR: contours, summary and the table of a solved folder.
+// weaveform post DIR: contours, summary and the table of a solved folder; `post compare`, `post virtual` and `post
+// border` are in compare.cpp.
 #include <memory>
 
 #include "app/commands/commands.hpp"
@@ -19,9 +20,12 @@ struct PostArguments {
 void add_post_command(CLI::App& program) {
   auto* command = program.add_subcommand("post", "Contours, summary and the printed table of a solved folder");
   const auto arguments = std::make_shared<PostArguments>();
-  add_folder_argument(*command, arguments->directory);
+  command->add_option("DIR", arguments->directory, "Result folder");
   add_quiet_argument(*command, arguments->quiet);
-  command->callback([arguments] {
+  add_dic_commands(*command);
+  command->callback([arguments, command] {
+    if (!command->get_subcommands().empty()) return;
+    if (arguments->directory.empty()) throw InputError("DIR is required; 'weaveform post --help' tells more");
     const std::string table = post_folder(arguments->directory);
     if (!arguments->quiet) print_answer(table);
   });

@@ -75,7 +75,7 @@ void gather_tools(const Scene& scene, const Mesh& mesh, Gathered& model) {
 
 double polygon_area(const Mesh& mesh, int cell) {
   std::array<double, 3> sum = {0.0, 0.0, 0.0};
-  const auto& x = mesh.nodes.position;
+  const auto& x = mesh.flat_positions();
   const int begin = mesh.cells.offset[cell], end = mesh.cells.offset[cell + 1];
   const auto& o = x[mesh.cells.node[begin]];
   for (int k = begin + 1; k + 1 < end; ++k) {
@@ -137,6 +137,9 @@ void list_mesh(const Mesh& mesh, std::vector<std::string>& lines) {
   lines.push_back(
       "masses: lumped from density and section by the other code; the shifts near the outline that keep "
       "Weaveform's step, and any mass of its own choice, are lost");
+  if (!mesh.nodes.flat_position.empty())
+    lines.push_back("draped start: nodes are written where they start; another code takes that shape, its lengths and "
+                    "its angles for unstrained, and the flat blank is lost");
   if (mesh.frame.present())
     lines.push_back("shear frame: its members and hinges are not written; its corners are the node set frame_corners");
 }

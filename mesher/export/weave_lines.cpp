@@ -27,6 +27,7 @@ std::vector<std::string> weave_lines(const Scene& scene, const Mesh& mesh) {
     add(fmt::format("node {} {} {} {} {} {}", x[0], x[1], x[2], mesh.nodes.mass[n], mesh.nodes.crossing[n][0],
                     mesh.nodes.crossing[n][1]));
   }
+  for (const auto& x : mesh.nodes.flat_position) add(fmt::format("flat {} {} {}", x[0], x[1], x[2]));
   for (int e = 0; e < mesh.yarn_count(); ++e)
     add(fmt::format("yarn {} {} {} {} {} {} {} {}", mesh.yarns.node[e][0], mesh.yarns.node[e][1],
                     static_cast<int>(mesh.yarns.family[e]), mesh.yarns.rest_length[e], mesh.yarns.section[e],
@@ -187,6 +188,14 @@ WovenMesh read_weave_lines(const std::vector<NumberedLine>& lines, const std::st
   in.expect("frame");
   for (int& corner : mesh.frame.corner) corner = in.whole(-1, size[0]);
   read_nodes(in, size[0], mesh.nodes, mesh.lattice_size);
+  if (in.begins("flat"))
+    for (int n = 0; n < size[0]; ++n) {
+      in.expect("flat");
+      std::array<double, 3> x{};
+      for (double& c : x) c = in.real();
+      in.done();
+      mesh.nodes.flat_position.push_back(x);
+    }
   read_yarns(in, size[1], size[0], mesh.yarns);
   read_cells(in, size[2], size[0], mesh.cells);
   for (int k = 0; k < size[3]; ++k) {

@@ -4,6 +4,7 @@
 //   size nodes yarns cells ties sets
 //   spacing a b; lattice i j; thickness t; frame a b c d
 //   node x y z mass i j                         one per node, numbers as printed by the shortest exact form
+//   flat x y z                                  one per node, of a blank that starts draped
 //   yarn a b family rest section yarns jaw softening
 //   cell nodes area i j, then one `at node warp weft` per node (the coefficients)
 //   tie node a b share; set count name, then `in` lines of up to 12 nodes

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesher/base/error.hpp"
+#include "mesher/drape/drape.hpp"
 #include "mesher/lattice/cross.hpp"
 #include "mesher/lattice/cut_cells.hpp"
 #include "mesher/lattice/fit.hpp"
@@ -311,8 +312,14 @@ Mesh build(const Scene& scene, const Card& card) {
 
 namespace weaveform {
 
-Mesh build_mesh(const Scene& scene, const Card& card) {
+Mesh build_flat_mesh(const Scene& scene, const Card& card) {
   return lattice::build(scene, card);
+}
+
+Mesh build_mesh(const Scene& scene, const Card& card) {
+  Mesh mesh = build_flat_mesh(scene, card);
+  if (scene.drape) lay_drape(scene, drape_blank(scene, mesh), mesh);
+  return mesh;
 }
 
 }  // namespace weaveform

@@ -11,6 +11,10 @@ namespace weaveform {
 // meet the ends of the held edges: fit.hpp) through the blank and merges them with shear cells.
 // Kept exactly, at any yarn angle and coarsening: area = outline area; yarn length of each family = area / interval;
 // mass = area * area density. Throws InputError when the blank is too small for the coarsening or a grip holds no node.
+// With [drape] the mesh starts draped (mesher/drape/drape.hpp, which says what else is thrown).
 [[nodiscard]] Mesh build_mesh(const Scene& scene, const Card& card);
+
+// The same before any drape.
+[[nodiscard]] Mesh build_flat_mesh(const Scene& scene, const Card& card);
 
 }  // namespace weaveform

@@ -21,6 +21,9 @@ struct NodeSet {
 
 struct MeshNodes {
   std::vector<std::array<double, 3>> position;  // mm; initial
+  // mm; of the flat blank, where the start is another (a drape); else empty. All rest lengths, cell coefficients and
+  // areas are those of the flat blank, so a blank that starts draped starts sheared.
+  std::vector<std::array<double, 3>> flat_position;
   // tonne; lumped from the yarns' linear density, near the edges shifted between neighbours so that the step holds
   std::vector<double> mass;
   // (i, j): i counts along the warp direction, j along the weft; {-1, -1} for a yarn end
@@ -85,6 +88,9 @@ struct Mesh {
   // What messages call a node: its number in mesh.vtu.
   [[nodiscard]] int shown_node(int node) const {
     return symmetry.whole_node.empty() ? node : symmetry.whole_node[static_cast<std::size_t>(node)];
+  }
+  [[nodiscard]] const std::vector<std::array<double, 3>>& flat_positions() const {
+    return nodes.flat_position.empty() ? nodes.position : nodes.flat_position;
   }
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes.mass.size()); }
   [[nodiscard]] int yarn_count() const { return static_cast<int>(yarns.section.size()); }

@@ -17,10 +17,12 @@ namespace weaveform::mesh_format {
 // quantity has no meaning. Points: the nodes.
 //   cell data    family (0 shear cell, 1 warp, 2 weft), rest_length_mm, section_mm2, yarns, jaw_mm, softening,
 //                area_mm2, lattice (i, j)
-//   point data   mass_t, crossing (i, j), and one array of 0 and 1 per node set, named with the prefix below
-//   field data   spacing_mm, lattice_size, thickness_mm, coefficient_per_mm (two per entry of the shear cells'
+//   point data   mass_t, crossing (i, j), flat_position_mm (of a blank that starts draped only), and one array of 0 and
+//   1 per node set, named with the prefix below field data   spacing_mm, lattice_size, thickness_mm, coefficient_per_mm
+//   (two per entry of the shear cells'
 //                connectivity), tie_node (node, the two it follows), tie_share, frame_corner (4 nodes, -1: no frame)
 inline const std::string set_prefix = "set_";
+inline const std::string flat_name = "flat_position_mm";
 
 // VTK checks its stream while it writes but not when it closes it: only the closing tag proves that all of it arrived.
 inline bool ends_with_closing_tag(const std::filesystem::path& file) {

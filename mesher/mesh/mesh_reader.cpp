@@ -30,6 +30,7 @@ namespace weaveform {
 namespace {
 
 using mesh_format::ErrorListener;
+using mesh_format::flat_name;
 using mesh_format::set_prefix;
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
@@ -161,6 +162,13 @@ void get_nodes(Wanted& wanted, vtkUnstructuredGrid& grid, Mesh& mesh) {
   if (auto* mass = wanted.array<vtkDoubleArray>(grid.GetPointData(), "mass_t", 1, count))
     mesh.nodes.mass.assign(mass->GetPointer(0), mass->GetPointer(0) + count);
   get_pairs(wanted.array<vtkIntArray>(grid.GetPointData(), "crossing", 2, count), 0, count, mesh.nodes.crossing);
+  if (grid.GetPointData()->HasArray(flat_name.c_str()) != 0) {
+    if (auto* flat = wanted.array<vtkDoubleArray>(grid.GetPointData(), flat_name, 3, count)) {
+      mesh.nodes.flat_position.resize(count);
+      for (std::size_t n = 0; n < count; ++n)
+        flat->GetTypedTuple(static_cast<vtkIdType>(n), mesh.nodes.flat_position[n].data());
+    }
+  }
   for (int a = 0; a < grid.GetPointData()->GetNumberOfArrays(); ++a) {
     const char* text = grid.GetPointData()->GetArrayName(a);
     const std::string name = text == nullptr ? "" : text;

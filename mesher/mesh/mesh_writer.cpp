@@ -33,6 +33,7 @@ namespace {
 
 using mesh_format::ends_with_closing_tag;
 using mesh_format::ErrorListener;
+using mesh_format::flat_name;
 using mesh_format::set_prefix;
 
 vtkIdType cell_type(int nodes) {
@@ -124,6 +125,12 @@ void put_point_data(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   for (std::size_t n = 0; n < count; ++n)
     crossing->SetTypedTuple(static_cast<vtkIdType>(n), mesh.nodes.crossing[n].data());
   grid.GetPointData()->AddArray(crossing);
+  if (!mesh.nodes.flat_position.empty()) {
+    auto flat = new_array<vtkDoubleArray>(flat_name, 3, count);
+    for (std::size_t n = 0; n < count; ++n)
+      flat->SetTypedTuple(static_cast<vtkIdType>(n), mesh.nodes.flat_position[n].data());
+    grid.GetPointData()->AddArray(flat);
+  }
   for (const auto& set : mesh.sets) {
     auto member = new_array<vtkUnsignedCharArray>(set_prefix + set.name, 1, count);
     member->Fill(0);

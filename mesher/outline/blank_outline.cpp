@@ -6,10 +6,14 @@
 #include <filesystem>
 
 #include "mesher/base/error.hpp"
+#include "mesher/outline/cad_outline.hpp"
 #include "mesher/outline/loops.hpp"
+#include "mesher/tools/cad.hpp"
 
 namespace weaveform {
 namespace {
+
+constexpr double outline_chord_tolerance = 0.01;  // mm; a hundredth of what a pair of scissors keeps
 
 std::string outline_file(const Scene& scene) {
   const std::filesystem::path file = scene.blank.outline;
@@ -21,7 +25,8 @@ std::vector<OutlineLoop> loops_of(const Scene& scene, std::vector<std::string>& 
   if (blank.shape == "disc") return {ellipse_loop(blank.size)};
   if (blank.shape == "file") {
     const std::string file = outline_file(scene);
-    auto loops = read_outline_csv(file, complaints);
+    auto loops = is_cad_file(file) ? read_cad_outline(file, outline_chord_tolerance, complaints)
+                                   : read_outline_csv(file, complaints);
     return sound_loops(std::move(loops), file, complaints);
   }
   OutlineLoop loop;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "mesher/base/nearest_name.hpp"
@@ -81,6 +82,31 @@ void check_measures(const Scene& scene, const toml::table& root, Complaints& com
   }
 }
 
+void check_drape(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  const toml::table* table = table_at(root, "drape", 0);
+  if (table == nullptr || !scene.drape) return;
+  const DrapeSpec& drape = *scene.drape;
+  const std::array<double, 3> zero = {0.0, 0.0, 0.0};
+  std::vector<std::string> names;
+  for (const auto& tool : scene.tools) names.push_back(tool.name);
+  if (!drape.tool.empty() && std::find(names.begin(), names.end(), drape.tool) == names.end())
+    complaints.add(place_of(*table, "tool"), fmt::format("there is no [tools.{}]{}", drape.tool,
+                                                         names.empty() ? "; add it" : did_you_mean(drape.tool, names)));
+  if (drape.projection == zero)
+    complaints.add(place_of(*table, "projection"), "'projection' is zero; give it a length");
+  if (drape.warp_direction == zero)
+    complaints.add(place_of(*table, "warp_direction"), "'warp_direction' is zero; give it a length");
+  if (drape.seed && drape.projection != DrapeSpec{}.projection)  // an echo has the default
+    complaints.add(place_of(*table, "projection"), "[drape] has both 'seed' and 'projection'; keep one");
+  if (scene.frame) complaints.add(*table, "a blank in a shear frame cannot start draped; leave [drape] or [frame] out");
+  for (const char* key : {"warp_curve", "weft_curve"}) {
+    const auto& curve = key[1] == 'a' ? drape.warp_curve : drape.weft_curve;
+    if (curve.empty()) continue;
+    if (curve.size() < 2 || std::any_of(curve.begin(), curve.end(), [](const auto& p) { return p.size() != 3; }))
+      complaints.add(place_of(*table, key), fmt::format("'{}' is two points [x, y, z] or more", key));
+  }
+}
+
 void check_material(const Scene& scene, const toml::table& root, Complaints& complaints) {
   const toml::table* table = table_at(root, "fabric", 0);
   const std::string& name = scene.fabric.material;
@@ -147,6 +173,7 @@ void check_scene(const Scene& scene, const toml::table& root, Complaints& compla
   check_model(scene, root, complaints);
   check_measures(scene, root, complaints);
   check_tools(scene, root, complaints);
+  check_drape(scene, root, complaints);
   const toml::table* analysis = table_at(root, "analysis", 0);
   if (analysis != nullptr && scene.analysis.duration && scene.analysis.loading_speed) {
     complaints.add(place_of(*analysis, "loading_speed"),

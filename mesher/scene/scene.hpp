@@ -88,7 +88,10 @@ struct ToolSpec {
   Auto opening_radius;                             // mm; ring
   double fillet_radius = 0.0;                      // mm; ring: of the opening's rim
   std::vector<std::vector<double>> profile;        // mm; revolved: corners (mesher/tools/profile.hpp)
-  std::string file;                                // triangles: STL file, relative to the scene file
+  std::string file;                                // triangles: STL or CAD file, relative to the scene file
+  double chord_tolerance = 0.05;                   // mm; triangles from CAD: greatest distance from the true surface
+  std::string unit;                                // of an STL file: "mm", "cm", "m", "inch"; empty: mm, and checked
+  bool flip = false;                               // triangles: turn the surface over, its inside out
   double travel = 0.0;                             // mm; along direction over the duration
   std::optional<std::array<double, 3>> direction;  // of travel or force; none: the way the tool faces
   std::vector<std::vector<double>> speed;          // [part of the duration, relative speed] points; none: smooth step
@@ -98,6 +101,18 @@ struct ToolSpec {
   double friction = 0.0;    // 1; Coulomb coefficient
   Auto offset;              // mm; from the fabric's middle plane to its face; none: half the thickness
   bool operator==(const ToolSpec&) const = default;
+};
+
+// The blank starts draped over a tool: a pin-jointed net of inextensible yarns (mesher/drape/).
+struct DrapeSpec {
+  std::string tool;                                     // name of its table, [tools.NAME]
+  std::array<double, 2> anchor = {0.0, 0.0};            // mm; blank's frame: the nearest crossing is laid on the seed
+  std::optional<std::array<double, 3>> seed;            // mm; world; none: the anchor projected on the tool
+  std::array<double, 3> projection = {0.0, 0.0, -1.0};  // way of that projection
+  std::optional<std::array<double, 3>> warp_direction;  // at the seed; none: that of the flat blank
+  std::vector<std::vector<double>> warp_curve;          // mm; points of the warp yarn through the seed; none: geodesic
+  std::vector<std::vector<double>> weft_curve;          // mm; the same for the weft
+  bool operator==(const DrapeSpec&) const = default;
 };
 
 struct AnalysisSpec {
@@ -137,6 +152,7 @@ struct Scene {
   std::vector<GripSpec> grip;
   std::optional<FrameSpec> frame;
   std::vector<ToolSpec> tools;  // in the order of their names
+  std::optional<DrapeSpec> drape;
   AnalysisSpec analysis;
   OutputSpec output;
   std::vector<MeasureSpec> measure;

@@ -28,8 +28,10 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                                   "the first"}),
     key<&BlankSpec::outline>(
         {.name = "outline",
-         .doc = "for shape = \"file\", relative to the scene file: CSV with rows x,y (mm, blank's frame), closed "
-                "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
+         .doc =
+             "for shape = \"file\", relative to the scene file: STEP, IGES, BREP or Gmsh script (.geo) with a planar "
+             "face or closed curves, chords within 0.01 mm; or CSV with rows x,y (mm, blank's frame), closed "
+             "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
     key<&BlankSpec::arm_width>({.name = "arm_width",
                                 .unit = "mm",
                                 .limits = above(0),
@@ -164,7 +166,8 @@ const std::vector<Key<ToolSpec>> tool_keys = {
          .allowed = {"plane", "sphere", "cylinder", "ring", "revolved", "triangles"},
          .required = true,
          .doc = "`plane`; `sphere` with a shank of its radius up the axis; endless `cylinder`; `ring`: a plate with a "
-                "rounded opening; `revolved`: a profile turned about the axis; `triangles`: an STL surface"}),
+                "rounded opening; `revolved`: a profile turned about the axis; `triangles`: a surface from an STL or "
+                "CAD file"}),
     key<&ToolSpec::position>(
         {.name = "position",
          .unit = "mm",
@@ -193,7 +196,18 @@ const std::vector<Key<ToolSpec>> tool_keys = {
              "and last line go on for ever beyond an end off the axis"}),
     key<&ToolSpec::file>(
         {.name = "file",
-         .doc = "STL surface of a tool of triangles, mm, outside counter-clockwise; relative to the scene file"}),
+         .doc = "surface of a tool of triangles, relative to the scene file: STL (outside counter-clockwise), or CAD "
+                "through Gmsh: STEP, IGES, BREP, .geo (made to face outward, open ones to the blank)"}),
+    key<&ToolSpec::chord_tolerance>({.name = "chord_tolerance",
+                                     .unit = "mm",
+                                     .limits = above(0),
+                                     .doc = "of triangles made from CAD: greatest distance from the true surface"}),
+    key<&ToolSpec::unit>(
+        {.name = "unit",
+         .allowed = {"mm", "cm", "m", "inch"},
+         .doc = "of an STL file, which names none; left out: mm, and refused when the tool is then out of "
+                "all proportion to the blank. STEP and IGES bring their own"}),
+    key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
     key<&ToolSpec::travel>({.name = "travel",
                             .unit = "mm",
                             .doc = "way along `direction` over the duration; 0 stays, or follows `force`"}),
@@ -232,6 +246,37 @@ const std::vector<Key<ToolSpec>> tool_keys = {
                             .unit = "mm",
                             .limits = at_least(0),
                             .doc = "from the fabric's middle plane to its face; auto: half the fabric's thickness"}),
+};
+
+const std::vector<Key<DrapeSpec>> drape_keys = {
+    key<&DrapeSpec::tool>({.name = "tool",
+                           .required = true,
+                           .identifier = true,
+                           .doc = "name of the tool it lies on, [tools.NAME], where that stands at the start"}),
+    key<&DrapeSpec::anchor>({.name = "anchor",
+                             .unit = "mm",
+                             .doc = "point of the flat blank, blank frame; the crossing nearest to it is laid on the "
+                                    "seed"}),
+    key<&DrapeSpec::seed>({.name = "seed",
+                           .unit = "mm",
+                           .doc = "point of the tool's surface, world; left out: the anchor, projected on the tool "
+                                  "along `projection`"}),
+    key<&DrapeSpec::projection>({.name = "projection",
+                                 .unit = "1",
+                                 .doc =
+                                     "way of that projection, any length but zero; the first surface met from outside "
+                                     "counts"}),
+    key<&DrapeSpec::warp_direction>(
+        {.name = "warp_direction",
+         .unit = "1",
+         .doc = "of the warp at the seed; its part along the surface counts; left out: as in the flat blank"}),
+    key<&DrapeSpec::warp_curve>({.name = "warp_curve",
+                                 .unit = "mm",
+                                 .doc =
+                                     "points [x, y, z] of a line through the seed that the warp yarn follows, in the "
+                                     "warp's sense; they are moved to the surface; left out: a geodesic, which also "
+                                     "goes on beyond the line's ends"}),
+    key<&DrapeSpec::weft_curve>({.name = "weft_curve", .unit = "mm", .doc = "the same for the weft yarn"}),
 };
 
 const std::vector<Key<AnalysisSpec>> analysis_keys = {
@@ -436,6 +481,10 @@ const std::vector<SceneTable>& scene_tables() {
       named_tables<&Scene::tools>("tools", tool_keys,
                                   "A rigid tool; as many as needed, each with a name of its own: it heads the tool's "
                                   "columns in history.csv and names it in `--set tools.NAME.travel=...`."),
+      optional_table<&Scene::drape>("drape", drape_keys,
+                                    "The blank starts draped over a tool, as a pin-jointed net of inextensible yarns "
+                                    "(docs/drape.md). Left out: it "
+                                    "starts flat."),
       one_table<&Scene::analysis>("analysis", analysis_keys, "The explicit analysis."),
       one_table<&Scene::output>("output", output_keys, "What is written."),
       many_tables<&Scene::measure>("measure", measure_keys,

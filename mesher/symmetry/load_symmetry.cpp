@@ -125,6 +125,7 @@ SymmetryPlane blank_plane(const BlankSpec& blank, int axis) {
 std::string find_load_difference(const Scene& scene, const Card& card, int axis) {
   const SymmetryPlane plane = blank_plane(scene.blank, axis);
   if (scene.frame) return "a shear frame holds the fabric";
+  if (scene.drape) return "the blank starts draped";
   if (scene.analysis.perturbation > 0.0) return "analysis.perturbation is random";
   std::string why = gravity_difference(scene, plane);
   if (why.empty()) why = grips_difference(scene, axis);

@@ -1,9 +1,14 @@
 #include "mesher/tools/tool.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "mesher/base/error.hpp"
+#include "mesher/tools/cad.hpp"
+#include "mesher/tools/triangle_report.hpp"
 
 namespace weaveform {
 namespace {
@@ -45,6 +50,56 @@ Vector touching_position(const Tool& tool, const BlankSpec& blank) {
   return position;
 }
 
+double millimetres(const std::string& unit) {
+  static const std::map<std::string, double> size = {
+      {"", 1.0}, {"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}};
+  return size.at(unit);
+}
+
+// A blank and its tool are of one size; factors between units are far from that.
+void check_proportion(const TriangleList& list, const ToolSpec& spec, const Scene& scene, const std::string& where) {
+  constexpr double farthest = 50.0;
+  double extent = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const auto [least, greatest] = std::minmax_element(list.point.begin(), list.point.end(),
+                                                       [c](const auto& a, const auto& b) { return a[c] < b[c]; });
+    extent = std::max(extent, (*greatest)[c] - (*least)[c]);
+  }
+  const double blank = std::max(scene.blank.size[0], scene.blank.size[1]);
+  if (extent * farthest < blank)
+    throw InputError(
+        fmt::format("{} {}: the surface is {:.3g} mm across and the blank {:.4g} mm: is the file in metres? Set unit = "
+                    "\"m\" (or \"cm\", "
+                    "\"inch\"; \"mm\" if it is right)",
+                    where, spec.file, extent, blank));
+  if (extent > farthest * blank)
+    throw InputError(
+        fmt::format("{} {}: the surface is {:.4g} mm across and the blank {:.4g} mm: is it in micrometres, or "
+                    "the blank's size in another unit? Set unit = \"mm\" if it is right",
+                    where, spec.file, extent, blank));
+}
+
+TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, const std::string& where) {
+  const auto file = tool_path(spec.file, scene.file);
+  const bool cad = is_cad_file(file);
+  TriangleList list = cad ? read_cad(file, spec.chord_tolerance).list : read_stl(file);
+  for (auto& point : list.point)
+    for (double& x : point) x *= millimetres(spec.unit);
+  if (spec.unit.empty()) check_proportion(list, spec, scene, where);
+  if (cad) {
+    Vector outside = scene.blank.position;  // seen from the tool
+    for (int c = 0; c < 3; ++c) outside[c] -= spec.position ? (*spec.position)[c] : 0.0;
+    list = turned_alike(list, outside);
+  }
+  if (spec.flip) list = turned_over(std::move(list));
+  if (!cad && turned_inward(list) && !spec.flip)
+    throw InputError(
+        fmt::format("{} {}: the closed surface has its normals inward, so that its outside would be solid; set "
+                    "flip = true, or write it again with its triangles counter-clockwise seen from outside",
+                    where, file.string()));
+  return list;
+}
+
 Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness) {
   const std::string where = (scene.file.empty() ? "" : scene.file + ": ") + "[tools." + spec.name + "]";
   Tool tool;
@@ -58,8 +113,8 @@ Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness) {
   if (tool.shape == ToolShape::revolved) tool.profile = make_profile(spec.profile, where + " profile");
   if (tool.shape == ToolShape::triangles) {
     tool.start.axis = {0.0, 0.0, 1.0};
-    const auto file = tool_path(spec.file, scene.file);
-    tool.surface = std::make_shared<TriangleSurface>(read_stl(file), where + " " + file.string());
+    tool.surface = std::make_shared<TriangleSurface>(triangles_of(spec, scene, where),
+                                                     where + " " + tool_path(spec.file, scene.file).string());
   }
   tool.direction = spec.direction ? unit(*spec.direction) : default_direction(tool);
   if (spec.position)

@@ -22,6 +22,7 @@ struct SurfaceDistance {
   double distance;               // mm; negative inside
   std::array<double, 3> normal;  // unit; outward, from the closest point of the surface to the point (or back, inside)
   int triangle;                  // the closest
+  bool beyond = false;           // the point lies past a border of an open surface, or over a hole in it
 };
 
 class TriangleSurface {
@@ -36,6 +37,8 @@ public:
   // Inside or outside follows from the angle-weighted pseudo-normal of the closest face, edge or vertex (Baerentzen and
   // Aanaes 2005, "Signed distance computation using the angle weighted pseudonormal"), right for every closed surface.
   [[nodiscard]] SurfaceDistance distance(const std::array<double, 3>& point, int hint = 0) const;
+  // Unit, outward; of one triangle.
+  [[nodiscard]] std::array<double, 3> face_normal(int triangle) const;
   [[nodiscard]] int size() const;
 
 private:

@@ -45,7 +45,7 @@ std::vector<Zone> zones_of_cells(const Mesh& mesh, const BlankSpec& blank, const
   for (int cell = 0; cell < mesh.cells.size(); ++cell) {
     corner.clear();
     for (int entry = mesh.cells.offset[cell]; entry < mesh.cells.offset[cell + 1]; ++entry)
-      corner.push_back(blank_coordinates(blank, mesh.nodes.position[mesh.cells.node[entry]]));
+      corner.push_back(blank_coordinates(blank, mesh.flat_positions()[mesh.cells.node[entry]]));
     zone[cell] = zone_of_polygon(specimen, corner);
   }
   return zone;

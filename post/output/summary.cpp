@@ -119,6 +119,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& file) {
     json["tools"][tool.motion.name] = entry;
   }
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);
+  if (summary.forming) json["forming"] = forming_json(*summary.forming);
   write_text_whole(file, json.dump(2) + "\n");
 }
 

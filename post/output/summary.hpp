@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "post/forming/forming.hpp"
 #include "post/measure/bias_comparison.hpp"
 #include "solver/result/result.hpp"
 
@@ -34,6 +35,7 @@ struct Summary {
   std::vector<ToolSummary> tool;
   std::vector<MeasureSummary> measure;
   std::optional<BiasComparison> bias;  // when the scene is a bias extension
+  std::optional<Forming> forming;      // when the scene has tools
 };
 
 // Grips, tools and measures of the scene at the history's last row. Throws InputError when the history has no row or
@@ -43,7 +45,8 @@ struct Summary {
 [[nodiscard]] std::vector<MeasureSummary> summarise_measures(const Scene& scene, const History& history);
 
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
-// "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel". Throws FileError.
+// "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
+// scene with tools "forming". Throws FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);
 [[nodiscard]] std::string summary_table(const Summary& summary);
 

@@ -152,6 +152,7 @@ std::string summary_table(const Summary& summary) {
   text += measure_lines(summary.measure);
   text += grip_lines(summary);
   text += tool_lines(summary);
+  if (summary.forming) text += forming_table(*summary.forming);
   if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);
   return text;
 }

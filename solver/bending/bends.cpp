@@ -10,11 +10,17 @@ struct Neighbours {
   std::vector<int> before, after;
 };
 
-Neighbours neighbours(const Mesh& mesh, Family family) {
-  Neighbours at{std::vector<int>(mesh.node_count(), -1), std::vector<int>(mesh.node_count(), -1)};
+// Per node, whether it is a free yarn end that is tied in line with its yarn.
+std::vector<char> free_ends(const Mesh& mesh) {
   std::vector<char> free_end(mesh.node_count(), 0);
   for (const auto& tie : mesh.tie) free_end[tie.node] = tie.share < 0.0 ? 1 : 0;
   for (const auto& image : mesh.symmetry.image) free_end[image.node] = free_end[image.of];
+  return free_end;
+}
+
+Neighbours neighbours(const Mesh& mesh, Family family) {
+  Neighbours at{std::vector<int>(mesh.node_count(), -1), std::vector<int>(mesh.node_count(), -1)};
+  const std::vector<char> free_end = free_ends(mesh);
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto [a, b] = mesh.yarns.node[e];
     if (mesh.yarns.family[e] != family || free_end[a] != 0 || free_end[b] != 0) continue;
@@ -54,8 +60,7 @@ YarnBend clamped_bend(const Mesh& mesh, int node, int element, bool leaves) {
 
 // mm; of one family, the length of a tied free end beyond each node.
 std::vector<double> free_lengths(const Mesh& mesh, Family family) {
-  std::vector<char> free_end(mesh.node_count(), 0);
-  for (const auto& tie : mesh.tie) free_end[tie.node] = tie.share < 0.0 ? 1 : 0;
+  const std::vector<char> free_end = free_ends(mesh);
   std::vector<double> length(mesh.node_count(), 0.0);
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto [a, b] = mesh.yarns.node[e];
@@ -66,14 +71,53 @@ std::vector<double> free_lengths(const Mesh& mesh, Family family) {
   return length;
 }
 
-// Whether an edge across family f alone passes the end of one of its yarns: the yarns beside it end there too.
-bool cut_across(const Mesh& mesh, const std::array<Neighbours, 2>& at, int end, int f, bool after) {
-  const int g = 1 - f;
+// One way along a yarn from a node: of a family, onwards or back.
+struct YarnWay {
+  int node = 0;
+  int family = 0;
+  bool after = true;
+};
+
+// Ways from nodes beyond a mirror plane as those of the nodes that they are images of, about which the mesh knows all.
+class RealWays {
+public:
+  explicit RealWays(const Mesh& mesh) : symmetry_(mesh.symmetry), image_(mesh.node_count(), -1) {
+    for (std::size_t k = 0; k < symmetry_.image.size(); ++k) image_[symmetry_.image[k].node] = static_cast<int>(k);
+    for (int e = 0; e < mesh.yarn_count(); ++e)
+      direction_[mesh.yarns.family[e] == Family::warp ? 0 : 1] = direction(mesh, e);
+  }
+  [[nodiscard]] YarnWay operator()(const YarnWay& way) const {
+    if (image_[way.node] < 0) return way;
+    const MirrorImage& image = symmetry_.image[image_[way.node]];
+    Vec3 along = direction_[way.family];
+    if (!way.after)
+      for (double& component : along) component = -component;
+    along = mirrored_vector(along, symmetry_.plane, image.planes);
+    const auto part = [&](int f) {
+      return along[0] * direction_[f][0] + along[1] * direction_[f][1] + along[2] * direction_[f][2];
+    };
+    const int family = std::abs(part(0)) > std::abs(part(1)) ? 0 : 1;
+    return {image.of, family, part(family) > 0.0};
+  }
+
+private:
+  const MeshSymmetry& symmetry_;
+  std::vector<int> image_;         // per node; -1: none
+  std::array<Vec3, 2> direction_;  // of the flat families
+};
+
+bool goes_on(const std::array<Neighbours, 2>& at, const YarnWay& way) {
+  return (way.after ? at[way.family].after : at[way.family].before)[way.node] >= 0;
+}
+
+// Whether an edge across the family alone passes the end of one of its yarns: the yarns beside it end there too.
+bool cut_across(const Mesh& mesh, const std::array<Neighbours, 2>& at, const RealWays& real, const YarnWay& end) {
+  const int g = 1 - end.family;
   for (const bool up : {true, false}) {
-    const int element = up ? at[g].after[end] : at[g].before[end];
+    const int element = up ? at[g].after[end.node] : at[g].before[end.node];
     if (element < 0) continue;
     const int beside = mesh.yarns.node[element][up ? 1 : 0];
-    if ((after ? at[f].after[beside] : at[f].before[beside]) >= 0) return false;
+    if (goes_on(at, real({beside, end.family, end.after}))) return false;
   }
   return true;
 }
@@ -81,26 +125,26 @@ bool cut_across(const Mesh& mesh, const std::array<Neighbours, 2>& at, int end, 
 // Where the yarn ends beside a bend at an edge oblique to it, the bend bears the energy of what is beyond it: half an
 // element and a free end.
 void reach_to_ends(const Mesh& mesh, const std::array<Neighbours, 2>& at, std::vector<Bend>& bends,
-                   const std::vector<char>& held, const std::vector<double>& share) {
-  for (int f = 0; f < 2; ++f) {
-    const auto beyond = free_lengths(mesh, f == 0 ? Family::warp : Family::weft);
+                   const std::vector<char>& held) {
+  const std::array<std::vector<double>, 2> beyond = {free_lengths(mesh, Family::warp),
+                                                     free_lengths(mesh, Family::weft)};
+  const RealWays real(mesh);
+  for (int f = 0; f < 2; ++f)
     for (auto& bend : bends) {
       YarnBend& yarn = bend.yarn[f];
       if (yarn.yarns == 0.0) continue;
       double reach = 0.0;
       for (const bool after : {true, false}) {
         if (after ? yarn.fixed_after : yarn.fixed_before) continue;
-        const Neighbours& of_yarn = at[f];
-        const int end = after ? yarn.after : yarn.before;
-        if (share[end] == 0.0) continue;  // beyond a mirror plane, where the yarn goes on
-        if (end == bend.node || held[end] != 0 || (after ? of_yarn.after[end] : of_yarn.before[end]) >= 0) continue;
-        if (cut_across(mesh, at, end, f, after)) continue;
-        const int element = after ? of_yarn.after[bend.node] : of_yarn.before[bend.node];
-        reach += 0.5 * mesh.yarns.rest_length[element] + beyond[end];
+        const int neighbour = after ? yarn.after : yarn.before;
+        const YarnWay end = real({neighbour, f, after});
+        if (neighbour == bend.node || held[end.node] != 0 || goes_on(at, end) || cut_across(mesh, at, real, end))
+          continue;
+        const int element = after ? at[f].after[bend.node] : at[f].before[bend.node];
+        reach += 0.5 * mesh.yarns.rest_length[element] + beyond[end.family][end.node];
       }
       yarn.yarns *= 1.0 + reach / yarn.spread;
     }
-  }
 }
 
 }  // namespace
@@ -131,7 +175,7 @@ std::vector<Bend> find_bends(const Mesh& mesh, const std::vector<char>& held) {
         bends.push_back(bend);
       }
   }
-  reach_to_ends(mesh, at, bends, held, share);
+  reach_to_ends(mesh, at, bends, held);
   for (auto& bend : bends)
     for (auto& yarn : bend.yarn) yarn.yarns *= share[bend.node];
   return bends;

@@ -193,7 +193,7 @@ struct LatticeBending::Parts {
       warp_yarns[n] = bend.yarn[0].yarns;
       weft_yarns[n] = bend.yarn[1].yarns;
     }
-    bend_runs = runs_of(marked, packed.stride, packed.rows);
+    bend_runs = padded_runs(runs_of(marked, packed.stride, packed.rows));
   }
 
   void place_twist() {
@@ -205,7 +205,7 @@ struct LatticeBending::Parts {
       marked[n] = 1;
       twist_stiffness[n] = 4.0 * flexure.twist * cell.area / (unit_area * unit_area);
     }
-    twist_runs = runs_of(marked, packed.stride, packed.rows);
+    twist_runs = padded_runs(runs_of(marked, packed.stride, packed.rows));
   }
 
   // Rows outside the lattice stand in for themselves; no run reads them.

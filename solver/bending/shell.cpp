@@ -61,13 +61,6 @@ struct ShellRowBuffers {
       : along(stride), across(stride), xp(row_vectors(stride)), xq(xp), dp(xp), dq(xp) {}
   EdgeBuffers along, across;
   RowVectors xp, xq, dp, dq;
-  void clear(int row, const PackedMesh& packed, const RowRuns& twist_runs) {
-    for (auto* vectors : {&along.force, &along.bend, &along.shear})
-      clear_gaps(*vectors, packed.warp_runs, row, packed.stride);
-    for (auto* vectors : {&across.force, &across.bend, &across.shear})
-      clear_gaps(*vectors, packed.weft_runs, row, packed.stride);
-    for (auto* vectors : {&xp, &xq, &dp, &dq}) clear_gaps(*vectors, twist_runs, row, packed.stride);
-  }
 };
 
 std::array<double*, 3> pointers(Components& components, std::size_t offset) {
@@ -110,6 +103,7 @@ struct Shell::Parts {
   std::array<bool, 2> is_curved{};
   std::array<EdgeKernels, 2> kernels{};
   std::vector<ShellEdge> edges;
+  RowRuns warp_runs, weft_runs;  // padded, like twist_runs
   std::vector<TwistCell> cells;
   std::array<std::vector<double>, 2> yarns;  // per first node
   std::vector<double> twist_stiffness;
@@ -133,6 +127,8 @@ struct Shell::Parts {
         flexure(chosen),
         damping(setup.damping),
         edges(find_shell_edges(m, fabric, chosen.transverse_shear)),
+        warp_runs(padded_runs(p.warp_runs)),
+        weft_runs(padded_runs(p.weft_runs)),
         cells(flexure.twist > 0.0 ? find_twist_cells(m) : std::vector<TwistCell>{}),
         block(balanced_blocks(p, setup.threads)) {
     for (int f = 0; f < 2; ++f) shape_moment(f);
@@ -187,7 +183,7 @@ struct Shell::Parts {
       marked[n] = 1;
       twist_stiffness[n] = flexure.twist * cell.area;
     }
-    twist_runs = runs_of(marked, packed.stride, packed.rows);
+    twist_runs = padded_runs(runs_of(marked, packed.stride, packed.rows));
   }
 
   // Rotational row sums (N mm): of an edge's shear G w L (1/4 + 1/4) and bending 2 yarns B/L, each with as much again
@@ -243,12 +239,17 @@ struct Shell::Parts {
   }
 
   void compute_row(int j, ShellRowBuffers& buffers) {
-    buffers.clear(j, packed, twist_runs);
+    for (auto* vectors : {&buffers.along.force, &buffers.along.bend, &buffers.along.shear})
+      clear_gaps(*vectors, warp_runs, j, packed.stride);
+    for (auto* vectors : {&buffers.across.force, &buffers.across.bend, &buffers.across.shear})
+      clear_gaps(*vectors, weft_runs, j, packed.stride);
+    for (auto* vectors : {&buffers.xp, &buffers.xq, &buffers.dp, &buffers.dq})
+      clear_gaps(*vectors, twist_runs, j, packed.stride);
     if (j < 0) return;
-    edges_of_row(0, j, packed.warp_runs, shell_rows(j, 1, j), buffers.along);
+    edges_of_row(0, j, warp_runs, shell_rows(j, 1, j), buffers.along);
     if (j + 1 >= packed.rows) return;
     const ShellRows rows = shell_rows(j, 0, j + 1);
-    edges_of_row(1, j, packed.weft_runs, rows, buffers.across);
+    edges_of_row(1, j, weft_runs, rows, buffers.across);
     ShellTwistOutput out{};
     for (int c = 0; c < 3; ++c) {
       out.xp[c] = buffers.xp[c].data();

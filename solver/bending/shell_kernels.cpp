@@ -11,7 +11,9 @@ template <class Moment>
 [[gnu::always_inline]] inline EdgeResult edge(const Moment& moment, const double (&e)[3], const double (&da)[3],
                                               const double (&db)[3], double yarns, double inverse_rest,
                                               double shear_stiffness) {
-  const double inverse = 1.0 / std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+  constexpr double least = 1e-12;  // mm^2; elements that rows are padded with may have no length
+  const double square = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+  const double inverse = 1.0 / std::sqrt(square > least ? square : least);
   double t[3], turn_vector[3], sum_vector[3];
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "mesher/base/error.hpp"
 
@@ -66,6 +67,11 @@ Placement Contact::Partner::place() const {
   return place;
 }
 
+ContactTool Contact::Partner::contact_tool() const {
+  const double v = motion.velocity();
+  return {place().origin, {v * tool.direction[0], v * tool.direction[1], v * tool.direction[2]}};
+}
+
 Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
                  double fabric_step, int threads)
     : packed_(packed),
@@ -121,7 +127,14 @@ Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, d
   partner.measured.assign(block_count(), 0);
   partner.sums.resize(block_count());
   partner.depth.assign(block_count(), 0.0);
-  if (tool.shape == ToolShape::triangles) partner.hint.assign(packed_.nodes, 0);
+  if (tool.shape == ToolShape::triangles) {
+    partner.hint.assign(packed_.nodes, 0);
+    partner.far.assign(packed_.nodes, -std::numeric_limits<double>::infinity());
+    for (auto& component : partner.measured_at) component.assign(packed_.nodes, 0.0);
+    // no fabric, no distance: nodes that do not exist are never measured
+    for (int n = 0; n < packed_.nodes; ++n)
+      if (mass_[n] == 0.0 && area_[n] == 0.0) partner.far[n] = 1e30;
+  }
   return partner;
 }
 
@@ -179,6 +192,7 @@ void Contact::move_tools(double time, double step) {
   for (auto& partner : partners_) {
     partner.motion.advance(time, step, partner.reaction());
     const double way = std::abs(partner.motion.state().way);
+    partner.way += way;
     if (way > least_spacing_)
       throw PhysicsError(fmt::format(
           "at t = {:.4g} s: tool '{}' moved {:.4g} mm in one step, more than a cell ({:.4g} mm); load more slowly "
@@ -202,6 +216,33 @@ ContactNodes Contact::block_nodes(int block, Partner& partner, State& state) con
   return nodes;
 }
 
+// A closest triangle is dear, a point far from it most of all. A distance changes by no more than point and tool move,
+// so that most points need no new one: they get a lower bound, which contact, seeing no touch, takes for the distance.
+void Contact::triangle_distances(Partner& partner, const ContactNodes& nodes, int first, Distances& distances) {
+  constexpr double rounding = 1e-9;  // mm
+  for (int n = 0; n < nodes.count; ++n) {
+    const int node = first + n;
+    const Vec3 moved = {nodes.x[0][n] - partner.measured_at[0][node], nodes.x[1][n] - partner.measured_at[1][node],
+                        nodes.x[2][n] - partner.measured_at[2][node]};
+    const double bound =
+        partner.far[node] - partner.way - std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
+    if (bound > partner.tool.offset + rounding) {
+      distances.distance[n] = bound;
+      for (int c = 0; c < 3; ++c) distances.normal[c][n] = c == 2 ? 1.0 : 0.0;
+      continue;
+    }
+    Distances one;
+    tool_distances(partner.tool, partner.place(), {nodes.x[0] + n, nodes.x[1] + n, nodes.x[2] + n}, 1,
+                   &partner.hint[node], one);
+    distances.distance[n] = one.distance[0];
+    for (int c = 0; c < 3; ++c) {
+      distances.normal[c][n] = one.normal[c][0];
+      partner.measured_at[c][node] = nodes.x[c][n];
+    }
+    partner.far[node] = one.distance[0] + partner.way;
+  }
+}
+
 // Touches only the block's own nodes and entries, so that blocks can be treated side by side.
 void Contact::treat_block(int block, State& state, double step) {
   constexpr double rounding = 1.0 + 1e-9;  // of speeds, ways and times
@@ -209,10 +250,7 @@ void Contact::treat_block(int block, State& state, double step) {
   for (auto& partner : partners_) {
     const ContactNodes nodes = block_nodes(block, partner, state);
     double& clearance = partner.clearance[block];
-    const ContactTool tool = {
-        partner.place().origin,
-        {partner.motion.velocity() * partner.tool.direction[0], partner.motion.velocity() * partner.tool.direction[1],
-         partner.motion.velocity() * partner.tool.direction[2]}};
+    const ContactTool tool = partner.contact_tool();
     const bool was_clear = clearance > 0.0;  // at the step before: no node stuck to the tool
     if (was_clear) {
       if (speed < 0.0) speed = greatest_speed({0.0, 0.0, 0.0}, nodes);
@@ -221,8 +259,11 @@ void Contact::treat_block(int block, State& state, double step) {
     partner.measured[block] = 0;
     if (clearance > 0.0) continue;
     Distances distances;
-    int* hint = partner.hint.empty() ? nullptr : partner.hint.data() + block * points_at_a_time;
-    tool_distances(partner.tool, partner.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, hint, distances);
+    if (partner.hint.empty())
+      tool_distances(partner.tool, partner.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, nullptr,
+                     distances);
+    else
+      triangle_distances(partner, nodes, block * points_at_a_time, distances);
     const double gap = least_gap(distances, partner.tool.offset, nodes);
     if (was_clear) reset_anchors(tool, nodes);
     clearance = std::max(gap, 0.0);
@@ -326,6 +367,10 @@ void visit_memory(Partner& partner, Visit visit) {
     for (auto& value : component) visit(value);
   for (auto& value : partner.clearance) visit(value);
   for (auto& value : partner.hint) visit(value);
+  for (auto& component : partner.measured_at)
+    for (auto& value : component) visit(value);
+  for (auto& value : partner.far) visit(value);
+  visit(partner.way);
   auto& motion = partner.motion.state();
   for (auto* value : {&motion.displacement, &motion.velocity, &motion.step, &motion.way, &motion.work,
                       &motion.damping_work, &partner.area, &partner.energy, &partner.friction_work,

@@ -20,6 +20,7 @@
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/tool.hpp"
 #include "solver/contact/contact_kernel.hpp"
+#include "solver/contact/contact_state.hpp"
 #include "solver/contact/tool_motion.hpp"
 #include "solver/contact/tool_reading.hpp"
 #include "solver/lattice/packed.hpp"
@@ -57,6 +58,9 @@ public:
   // quarter of one (everything else is that of the mesh).
   [[nodiscard]] const std::vector<ToolReading>& readings() const { return readings_; }
 
+  // Per mesh node, at the positions of the last add_forces (contact_state.hpp).
+  [[nodiscard]] ContactState contact_state(const State& state) const;
+
   struct Cost {
     double penetration = 0.0;    // 1; greatest so far, as a fraction of the fabric's thickness
     double friction_work = 0.0;  // mJ
@@ -78,15 +82,20 @@ private:
     std::vector<ContactSums> sums;  // per block, valid where measured
     std::vector<double> depth;      // mm; per block, greatest penetration, valid where measured
     std::vector<int> hint;          // per node, of triangles
+    Components measured_at;         // mm; per node, of triangles: where its distance was last measured,
+    Doubles far;                    // mm; that distance plus the tool's way so far then (-inf: never)
+    double way = 0.0;               // mm; the tool's so far, back and forth
     Vec3 force = {0.0, 0.0, 0.0};   // N; on the fabric
     double area = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0, deepest = 0.0;
     [[nodiscard]] double reaction() const;  // N; force along the direction
     [[nodiscard]] Placement place() const;
+    [[nodiscard]] ContactTool contact_tool() const;
   };
   Partner make_partner(const Tool& tool, const ToolSpec& spec, double duration, const State& start) const;
   void refuse_penetration(const State& start) const;
   void move_tools(double time, double step);
   void treat_block(int block, State& state, double step);
+  static void triangle_distances(Partner& partner, const ContactNodes& nodes, int first, Distances& distances);
   void sum_blocks(Partner& partner, double reaction_before);
   void read_instruments();
   void check(const Partner& partner, const State& state) const;

@@ -45,8 +45,11 @@ struct KernelShear {
 template <Formulation formulation, Thickness thickness, class Law>
 [[gnu::always_inline]] inline CellForce shear_cell_force(const KernelShear<Law>& law, const double (&g1)[3],
                                                          const double (&g2)[3], double volume) {
-  const double square1 = g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2];
-  const double square2 = g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2];
+  // a cell without area, as rows are padded with, may have no directions
+  constexpr double least = 1e-12;
+  const double length1 = g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2];
+  const double length2 = g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2];
+  const double square1 = length1 > least ? length1 : least, square2 = length2 > least ? length2 : least;
   const double dot = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
   const double inverse = 1.0 / std::sqrt(square1 * square2);
   // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mesher/base/error.hpp"
+#include "solver/element/sheared_start.hpp"
 #include "solver/lattice/row_blocks.hpp"
 #include "solver/lattice/row_kernels.hpp"
 
@@ -92,6 +93,7 @@ struct FabricForces::Kernels {
   CellKernels cell{};
   HistoryCellKernels history_cell{};
   HistoryStore lattice_history, loose_history;
+  RowRuns warp_runs, weft_runs, cell_runs;  // padded, but for cells with a history
   std::vector<int> block;
   std::vector<Scratch> scratch;
   std::array<std::array<Doubles, 3>, 2> loose_yarn_force;
@@ -105,6 +107,9 @@ struct FabricForces::Kernels {
         shear(shape_shear_law(card.shear)),
         row_power(packed_mesh.rows, 0.0),
         has_history(model.formulation == "incremental" || model.formulation == "side-frame"),
+        warp_runs(padded_runs(packed_mesh.warp_runs)),
+        weft_runs(padded_runs(packed_mesh.weft_runs)),
+        cell_runs(has_history ? packed_mesh.cell_runs : padded_runs(packed_mesh.cell_runs)),
         block(balanced_blocks(packed_mesh, threads)) {
     const Section section = model.section == "constant" ? Section::constant : Section::incompressible;
     for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(section, yarn_law[f].is_paper);
@@ -113,6 +118,7 @@ struct FabricForces::Kernels {
       history_cell = history_cell_kernels(model.formulation == "side-frame" ? Frame::side : Frame::green_naghdi, kind,
                                           shear.is_paper);
       start_history(start);
+      start_sheared(model);
     } else {
       cell = cell_kernels(model.formulation == "contravariant" ? Formulation::contravariant : Formulation::energy, kind,
                           shear.is_paper);
@@ -125,7 +131,7 @@ struct FabricForces::Kernels {
     }
   }
 
-  // Histories begin with the directions of the start state and no stress.
+  // Histories begin with the directions of the start state ...
   void start_history(const State& start) {
     lattice_history.allocate(packed.lattice_nodes());
     loose_history.allocate(packed.loose_cells.size());
@@ -147,6 +153,37 @@ struct FabricForces::Kernels {
     }
   }
 
+  // ... and the stress of a cell that starts sheared.
+  void start_sheared(const ModelSpec& model) {
+    if (shear.is_paper) return start_sheared_with(shear.paper, model);
+    start_sheared_with(shear.general, model);
+  }
+
+  template <class Law>
+  void start_sheared_with(const Law& law, const ModelSpec& model) {
+    const bool side = model.formulation == "side-frame", constant = model.thickness == "constant";
+    const auto start_cell = [&](std::array<Doubles, cell_history_size>& store, std::size_t n, double volume) {
+      const double g1[3] = {store[0][n], store[1][n], store[2][n]}, g2[3] = {store[3][n], store[4][n], store[5][n]};
+      CellHistory h{};
+      if (side)
+        h = constant ? sheared_start<Frame::side, Thickness::constant>(law, g1, g2, volume)
+                     : sheared_start<Frame::side, Thickness::constant_volume>(law, g1, g2, volume);
+      else
+        h = constant ? sheared_start<Frame::green_naghdi, Thickness::constant>(law, g1, g2, volume)
+                     : sheared_start<Frame::green_naghdi, Thickness::constant_volume>(law, g1, g2, volume);
+      const double value[5] = {h.stress1, h.stress2, h.stress4, h.strain, h.work};
+      for (int k = 0; k < 5; ++k) store[6 + k][n] = value[k];
+    };
+    for (int j = 0; j + 1 < packed.rows; ++j)
+      for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r)
+        for (int i = packed.cell_runs.run[r].begin; i < packed.cell_runs.run[r].end; ++i) {
+          const auto n = static_cast<std::size_t>(j) * packed.stride + i;
+          start_cell(lattice_history.current(), n, packed.cell_area[n] * thickness);
+        }
+    for (int e = 0; e < packed.loose_cells.size(); ++e)
+      start_cell(loose_history.current(), static_cast<std::size_t>(e), packed.loose_cells.area[e] * thickness);
+  }
+
   [[nodiscard]] RowPair row_pair(const Components& values, int row_a, int shift_b, int row_b) const {
     RowPair rows{};
     for (int c = 0; c < 3; ++c) {
@@ -164,9 +201,9 @@ struct FabricForces::Kernels {
     double* const t[3] = {s.along[0].data(), s.along[1].data(), s.along[2].data()};
     const RowPair rows = row_pair(state.position, j, 1, j), velocity = row_pair(state.velocity, j, 1, j);
     const double* area = packed.warp_section.data() + static_cast<std::size_t>(j) * packed.stride;
-    for (int r = packed.warp_runs.first[j]; r < packed.warp_runs.first[j + 1]; ++r)
+    for (int r = warp_runs.first[j]; r < warp_runs.first[j + 1]; ++r)
       row_power[j] += yarn[0].row(yarn_law[0].pointer(), rows, velocity, packed.spacing[0], viscosity[0], area,
-                                  packed.warp_runs.run[r].begin, packed.warp_runs.run[r].end, t);
+                                  warp_runs.run[r].begin, warp_runs.run[r].end, t);
   }
 
   // Weft elements and cells between rows j and j+1.
@@ -178,18 +215,18 @@ struct FabricForces::Kernels {
     const RowPair rows = row_pair(state.position, j, 0, j + 1), velocity = row_pair(state.velocity, j, 0, j + 1);
     const auto offset = static_cast<std::size_t>(j) * packed.stride;
     double* const t[3] = {s.across[0].data(), s.across[1].data(), s.across[2].data()};
-    for (int r = packed.weft_runs.first[j]; r < packed.weft_runs.first[j + 1]; ++r) {
-      const double power = yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1],
-                                       packed.weft_section.data() + offset, packed.weft_runs.run[r].begin,
-                                       packed.weft_runs.run[r].end, t);
+    for (int r = weft_runs.first[j]; r < weft_runs.first[j + 1]; ++r) {
+      const double power =
+          yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1],
+                      packed.weft_section.data() + offset, weft_runs.run[r].begin, weft_runs.run[r].end, t);
       if (!foreign) row_power[j] += power;
     }
     const CellRowOutput out{{s.p[0].data(), s.p[1].data(), s.p[2].data()},
                             {s.q[0].data(), s.q[1].data(), s.q[2].data()}};
     const double inverse1 = 1.0 / packed.spacing[0], inverse2 = 1.0 / packed.spacing[1];
     const double* area = packed.cell_area.data() + offset;
-    for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r) {
-      const auto [begin, end] = packed.cell_runs.run[r];
+    for (int r = cell_runs.first[j]; r < cell_runs.first[j + 1]; ++r) {
+      const auto [begin, end] = cell_runs.run[r];
       if (has_history)
         history_cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end,
                          lattice_history.arrays(offset, foreign ? &s.spare_history : nullptr), out);
@@ -199,7 +236,7 @@ struct FabricForces::Kernels {
   }
 
   [[nodiscard]] Run reach(int j) const {
-    return united(packed.span(j), j + 1 < packed.rows ? packed.span(j + 1) : Run{});
+    return padded(united(packed.span(j), j + 1 < packed.rows ? packed.span(j + 1) : Run{}));
   }
 
   void lattice_block(State& state, int first, int last, Scratch& s) {

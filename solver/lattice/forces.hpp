@@ -15,7 +15,8 @@ namespace weaveform {
 
 class FabricForces {
 public:
-  // `start` gives the directions that cells with a history (incremental, side-frame) count their increments from.
+  // `start` gives the directions that cells with a history (incremental, side-frame) count their increments from; where
+  // it is sheared, as in a draped blank, they start with the stress of their angle (element/sheared_start.hpp).
   // Throws InputError when a law of the card has more pieces or a higher degree than the inner loop takes.
   FabricForces(const PackedMesh& packed, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
                const ModelSpec& model, const State& start, int threads);

@@ -20,6 +20,7 @@ void index_nodes(const Mesh& mesh, PackedMesh& packed) {
     packed.packed_of_mesh[n] = index;
     if (i >= 0) marked[index] = 1;
   }
+  packed.nodes = std::max(packed.nodes, packed.lattice_nodes() + 1);  // the last row's padding reads one beyond it
   packed.node_runs = runs_of(marked, packed.stride, packed.rows);
   packed.mass.assign(packed.nodes, 1.0);
   for (int n = 0; n < mesh.node_count(); ++n) packed.mass[packed.packed_of_mesh[n]] = mesh.nodes.mass[n];
@@ -104,6 +105,28 @@ RowRuns runs_of(const std::vector<char>& marked, int stride, int rows) {
       const int begin = i;
       while (i < stride && row[i] != 0) ++i;
       result.run.push_back({begin, i});
+    }
+  }
+  result.first.push_back(static_cast<int>(result.run.size()));
+  return result;
+}
+
+Run padded(Run run) {
+  if (run.begin >= run.end) return run;
+  return {run.begin / vector_width * vector_width, (run.end + vector_width - 1) / vector_width * vector_width};
+}
+
+RowRuns padded_runs(const RowRuns& runs) {
+  RowRuns result;
+  for (std::size_t j = 0; j + 1 < runs.first.size(); ++j) {
+    const auto first = result.run.size();
+    result.first.push_back(static_cast<int>(first));
+    for (int r = runs.first[j]; r < runs.first[j + 1]; ++r) {
+      const Run wide = padded(runs.run[r]);
+      if (result.run.size() > first && result.run.back().end >= wide.begin)
+        result.run.back().end = wide.end;
+      else
+        result.run.push_back(wide);
     }
   }
   result.first.push_back(static_cast<int>(result.run.size()));

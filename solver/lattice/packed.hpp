@@ -27,6 +27,13 @@ struct RowRuns {
 // Cuts the marked indices of each row (j * stride + i) into runs.
 [[nodiscard]] RowRuns runs_of(const std::vector<char>& marked, int stride, int rows);
 
+// Rounded out to whole vectors, so that short rows leave no scalar rest: the elements in between have no section, area
+// or yarns, stand between nodes that may coincide, and come to zero. Kernels that take such runs keep their divisors
+// above `least_square`.
+[[nodiscard]] RowRuns padded_runs(const RowRuns& runs);
+[[nodiscard]] Run padded(Run run);
+constexpr double least_square = 1e-12;  // mm^2; far below any element's length squared
+
 // Yarn elements with an end on the outline (mesh.hpp: jaw, softening).
 struct LooseYarns {
   std::vector<int> node0, node1;
@@ -48,7 +55,7 @@ struct LooseCells {
 struct PackedMesh {
   int stride = 0;                                      // doubles per row, a multiple of the vector width
   int rows = 0;                                        // rows of crossings
-  int nodes = 0;                                       // stride * rows + yarn ends
+  int nodes = 0;                                       // stride * rows + yarn ends, and at least one more than the rows
   std::array<double, 2> spacing = {0.0, 0.0};          // mm
   RowRuns node_runs, warp_runs, weft_runs, cell_runs;  // weft and cell runs of row j join rows j and j+1
   std::vector<double> warp_section, weft_section;      // mm^2; per first node, 0 where there is none

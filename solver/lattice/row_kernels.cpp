@@ -19,7 +19,8 @@ double yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& vel
   for (int i = begin; i < end; ++i) {
     const double dx = bx[i] - ax[i], dy = by[i] - ay[i], dz = bz[i] - az[i];
     const double rate = dx * (bvx[i] - avx[i]) + dy * (bvy[i] - avy[i]) + dz * (bvz[i] - avz[i]);
-    const double square = dx * dx + dy * dy + dz * dz;
+    const double length_squared = dx * dx + dy * dy + dz * dz;
+    const double square = length_squared > least_square ? length_squared : least_square;
     const double viscous = viscous_force_per_length(square, rate, rest, area[i], viscosity);
     const double per_length = yarn_force_per_length<section>(law, square, rest, area[i]) + viscous;
     power += viscous * rate;

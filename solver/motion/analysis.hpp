@@ -50,6 +50,8 @@ private:
   [[nodiscard]] const std::vector<ToolReading>& tool_readings() const;
   void find_grip_images();
   [[nodiscard]] const std::vector<double>& whole_grip_forces();
+  [[nodiscard]] std::vector<std::string> tool_names() const;
+  [[nodiscard]] ContactState whole_contact_state() const;
   [[nodiscard]] double travelled() const;
   [[nodiscard]] bool finished() const { return state_.time >= duration_ * (1.0 - 1e-12); }
 

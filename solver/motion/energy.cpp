@@ -7,8 +7,8 @@
 namespace weaveform {
 namespace {
 
-constexpr double table_end = 4.0;         // log shear strain; 87.9 deg
-constexpr double table_step = 1.0 / 512;  // Hermite error of order step^4/384 * w'''' : below 1e-12 of w
+constexpr double table_end = 4.0;          // log shear strain; 87.9 deg
+constexpr double table_step = 1.0 / 2048;  // Hermite error of order step^4/384 * w'''' : below 1e-12 of w
 
 // Four-point Gauss rule on [-1, 1] (Abramowitz & Stegun 1964, table 25.4).
 constexpr std::array<double, 4> gauss_point = {-0.861136311594053, -0.339981043584856, 0.339981043584856,

@@ -15,7 +15,7 @@ Motion::Motion(const PackedMesh& packed, double damping, int threads)
     inverse_mass_[n] = packed.mass[n] > 0.0 ? 1.0 / packed.mass[n] : 0.0;  // tied nodes have none
   }
   for (int j = 0; j < packed.rows; ++j) {
-    const Run span = packed.span(j);
+    const Run span = padded(packed.span(j));
     if (span.begin != span.end) range_.push_back({j * packed.stride + span.begin, j * packed.stride + span.end});
   }
   if (packed.lattice_nodes() < packed.nodes) range_.push_back({packed.lattice_nodes(), packed.nodes});

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/lattice/packed.hpp"
+
 namespace weaveform {
 
 namespace {
@@ -118,6 +120,30 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
   }
 }
 
+// Stretch of the yarns of a cell. |g| at the centre is shorter than they are where the cell is bent or twisted, which
+// is no stretch: a full cell takes the mean of its sides.
+std::array<double, 2> cell_stretch(const Mesh& mesh, int cell, const std::vector<Vec3>& position) {
+  if (!is_full_quad(mesh, cell)) {
+    const YarnDirections g = directions_at_centre(mesh.cells, cell, position);
+    return {g.warp.norm(), g.weft.norm()};
+  }
+  const int* n = mesh.cells.node.data() + mesh.cells.offset[cell];  // x00, x10, x11, x01
+  return {
+      0.5 * (distance(position[n[0]], position[n[1]]) + distance(position[n[3]], position[n[2]])) / mesh.spacing[0],
+      0.5 * (distance(position[n[0]], position[n[3]]) + distance(position[n[1]], position[n[2]])) / mesh.spacing[1]};
+}
+
+void fill_thickness(const Mesh& mesh, const ModelSpec& model, Fields& fields) {
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const auto [warp, weft] = cell_stretch(mesh, cell, fields.position);
+    const double cosine = vector_of(fields.warp[cell]).cross(vector_of(fields.weft[cell])).norm();
+    const double area_ratio = warp * weft * cosine;
+    const double gain = area_ratio > 0.0 ? 1.0 / area_ratio : 0.0;
+    fields.areal_weight.push_back(gain);
+    fields.thickness.push_back(mesh.thickness * (model.thickness == "constant" ? 1.0 : gain));
+  }
+}
+
 void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model, Fields& fields) {
   const std::array<TangentLaw, 2> law = yarn_laws(card, model);
   const bool incompressible = model.section != "constant";
@@ -163,6 +189,7 @@ Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model
     for (int k = 0; k < 3; ++k) fields.displacement[node][k] = position[node][k] - mesh.nodes.position[node][k];
 
   fill_cells(mesh.cells, fields);
+  fill_thickness(mesh, model, fields);
   fields.folded = folded_cells(mesh, position);
   fill_yarns(mesh.yarns, card, model, fields);
   return fields;

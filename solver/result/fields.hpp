@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "mesher/material/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
+#include "solver/contact/contact_state.hpp"
 #include "solver/element/yarn_law.hpp"
 
 namespace weaveform {
@@ -19,9 +21,14 @@ struct Fields {
   std::vector<Vec3> displacement;   // mm; per node, from the mesh's initial position
   std::vector<double> shear_angle;  // rad; per cell, signed: sin gamma = g1.g2 of the unit yarn directions
   std::vector<Vec3> warp, weft;     // unit yarn directions; per cell
-  std::vector<bool> folded;         // per cell: area vector turned against the cell's neighbours' (see folded_cells)
-  std::vector<double> yarn_strain;  // 1; true strain per yarn element
-  std::vector<double> yarn_force;   // N; axial, tension positive
+  // mm; per cell. With l1, l2 the yarns' stretch (mean of a full cell's sides) its area is A = A0 l1 l2 cos gamma, so
+  // at constant volume t = t0 A0/A = t0/(l1 l2 cos gamma); 0 for a cell without area. model.thickness = "constant": t0.
+  std::vector<double> thickness;
+  std::vector<double> areal_weight;  // 1; per cell, fibre mass per area over that of the flat fabric, A0/A; 0 likewise
+  std::vector<bool> folded;          // per cell: area vector turned against the cell's neighbours' (see folded_cells)
+  std::vector<double> yarn_strain;   // 1; true strain per yarn element
+  std::vector<double> yarn_force;    // N; axial, tension positive
+  std::optional<ContactState> contact;  // per node; when the scene has tools. Not from positions alone: the solver's
 };
 
 [[nodiscard]] Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,

@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -87,11 +89,15 @@ struct FrameWriter::Grid {
   vtkNew<vtkUnstructuredGrid> grid;
   vtkDoubleArray *point = nullptr, *time = nullptr, *displacement = nullptr;
   vtkDoubleArray *shear_angle = nullptr, *yarn_strain = nullptr, *yarn_force = nullptr;
+  vtkDoubleArray *thickness = nullptr, *areal_weight = nullptr;
   vtkFloatArray *warp = nullptr, *weft = nullptr;
   vtkUnsignedCharArray* folded = nullptr;
+  vtkUnsignedCharArray *contact_tool = nullptr, *contact_count = nullptr, *friction = nullptr;  // null without tools
+  vtkDoubleArray *contact_force = nullptr, *contact_gap = nullptr;
+  vtkDoubleArray *contact_pressure = nullptr, *contact_share = nullptr;
   CellsBeside beside;
 
-  explicit Grid(const Mesh& mesh) : beside(cells_beside_yarns(mesh)) {
+  Grid(const Mesh& mesh, const std::vector<std::string>& tools) : beside(cells_beside_yarns(mesh)) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(mesh.node_count());
@@ -109,9 +115,28 @@ struct FrameWriter::Grid {
     warp = add_array<vtkFloatArray>(cell_data, "warp_direction", 3, elements);
     weft = add_array<vtkFloatArray>(cell_data, "weft_direction", 3, elements);
     folded = add_array<vtkUnsignedCharArray>(cell_data, "folded", 1, elements);
+    thickness = add_array<vtkDoubleArray>(cell_data, "thickness_mm", 1, elements);
+    areal_weight = add_array<vtkDoubleArray>(cell_data, "areal_weight_ratio", 1, elements);
     displacement = add_array<vtkDoubleArray>(*grid->GetPointData(), "displacement_mm", 3, mesh.node_count());
     time = add_array<vtkDoubleArray>(*grid->GetFieldData(), "TimeValue", 1, 1);
+    if (!tools.empty()) add_contact(mesh, tools);
     grid->GetCellData()->SetActiveScalars("shear_angle_deg");
+  }
+
+  void add_contact(const Mesh& mesh, const std::vector<std::string>& tools) {
+    vtkFieldData &points = *grid->GetPointData(), &elements = *grid->GetCellData();
+    const vtkIdType nodes = mesh.node_count(), count = mesh.yarn_count() + mesh.cells.size();
+    contact_tool = add_array<vtkUnsignedCharArray>(points, "contact_tool", 1, nodes);
+    contact_count = add_array<vtkUnsignedCharArray>(points, "contact_count", 1, nodes);
+    contact_force = add_array<vtkDoubleArray>(points, "contact_force_N", 1, nodes);
+    contact_gap = add_array<vtkDoubleArray>(points, "contact_gap_mm", 1, nodes);
+    friction = add_array<vtkUnsignedCharArray>(points, "friction_state", 1, nodes);
+    contact_pressure = add_array<vtkDoubleArray>(elements, "contact_pressure_MPa", 1, count);
+    contact_share = add_array<vtkDoubleArray>(elements, "contact_share", 1, count);
+    vtkNew<vtkStringArray> names;
+    names->SetName("tool_names");
+    for (const std::string& name : tools) names->InsertNextValue(name);
+    grid->GetFieldData()->AddArray(names);
   }
 
   // Values on yarns and on cells stand one behind the other, as the lines and polygons do.
@@ -150,6 +175,34 @@ struct FrameWriter::Grid {
     weft->Modified();
   }
 
+  void fill_contact(const Mesh& mesh, const ContactState& contact) {
+    for (int node = 0; node < mesh.node_count(); ++node) {
+      contact_tool->SetValue(node, static_cast<unsigned char>(contact.tool[node]));
+      contact_count->SetValue(node, static_cast<unsigned char>(contact.count[node]));
+      friction->SetValue(node, static_cast<unsigned char>(contact.friction[node]));
+      contact_force->SetValue(node, contact.force[node]);
+      contact_gap->SetValue(node, contact.gap[node]);
+    }
+    const auto set_mean = [&](vtkIdType element, const int* begin, const int* end) {
+      double pressure = 0.0, touching = 0.0;
+      for (const int* node = begin; node != end; ++node) {
+        pressure += contact.pressure[*node];
+        touching += contact.tool[*node] > 0 ? 1.0 : 0.0;
+      }
+      const auto nodes = static_cast<double>(end - begin);
+      contact_pressure->SetValue(element, pressure / nodes);
+      contact_share->SetValue(element, touching / nodes);
+    };
+    for (int yarn = 0; yarn < mesh.yarn_count(); ++yarn)
+      set_mean(yarn, mesh.yarns.node[yarn].data(), mesh.yarns.node[yarn].data() + 2);
+    const int* node = mesh.cells.node.data();
+    for (int cell = 0; cell < mesh.cells.size(); ++cell)
+      set_mean(mesh.yarn_count() + cell, node + mesh.cells.offset[cell], node + mesh.cells.offset[cell + 1]);
+    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
+             contact_tool, contact_count, friction, contact_force, contact_gap, contact_pressure, contact_share})
+      array->Modified();
+  }
+
   void fill(const Mesh& mesh, const Fields& fields) {
     time->SetValue(0, fields.time);
     time->Modified();
@@ -159,6 +212,9 @@ struct FrameWriter::Grid {
     const int cells = mesh.cells.size();
     fill(*yarn_strain, fields.yarn_strain, mean_on_cells(beside, fields.yarn_strain, cells), 1.0);
     fill(*yarn_force, fields.yarn_force, mean_on_cells(beside, fields.yarn_force, cells), 1.0);
+    fill(*thickness, mean_on_yarns(beside, fields.thickness), fields.thickness, 1.0);
+    fill(*areal_weight, mean_on_yarns(beside, fields.areal_weight), fields.areal_weight, 1.0);
+    if (contact_tool != nullptr) fill_contact(mesh, fields.contact.value());
     fill_directions(mesh, fields);
     for (int cell = 0; cell < cells; ++cell) folded->SetValue(mesh.yarn_count() + cell, fields.folded[cell] ? 1 : 0);
     folded->Modified();
@@ -167,8 +223,8 @@ struct FrameWriter::Grid {
   }
 };
 
-FrameWriter::FrameWriter(fs::path directory, const Mesh& mesh, int frames_kept)
-    : directory_(std::move(directory)), mesh_(mesh), grid_(std::make_unique<Grid>(mesh)) {
+FrameWriter::FrameWriter(fs::path directory, const Mesh& mesh, int frames_kept, const std::vector<std::string>& tools)
+    : directory_(std::move(directory)), mesh_(mesh), grid_(std::make_unique<Grid>(mesh, tools)) {
   if (frames_kept > 0) {
     const std::vector<FrameFile> earlier = list_frames(directory_);
     if (static_cast<int>(earlier.size()) < frames_kept)

@@ -51,7 +51,7 @@ std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh) {
     Vec3 sum{};
     const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
     for (int a = begin; a < end; ++a)
-      for (int k = 0; k < 3; ++k) sum[k] += mesh.nodes.position[mesh.cells.node[a]][k] / (end - begin);
+      for (int k = 0; k < 3; ++k) sum[k] += mesh.flat_positions()[mesh.cells.node[a]][k] / (end - begin);
     centre[c] = blank_coordinates(scene.blank, sum);
   }
   std::vector<Probe> probes;

@@ -64,12 +64,20 @@ struct SolveStatistics {
 //   yarn_strain, yarn_force_N     lines: their own; cells: mean of the yarn elements around it
 //   warp_direction, weft_direction  cells: unit yarn directions; lines: their own in their family's array, else 0
 //   folded            cells: 1 when folded; lines: 0
-// Points carry displacement_mm, the field data TimeValue (s).
+//   thickness_mm, areal_weight_ratio  cells: their own; lines: mean of the cells beside it
+// Points carry displacement_mm, the field data TimeValue (s). With tools also:
+//   contact_tool, contact_count, contact_force_N, contact_gap_mm, friction_state   points (contact_state.hpp)
+//   contact_pressure_MPa, contact_share   cells: mean pressure of its nodes, share of them that touch a tool; lines:
+//   the
+//                                         same of their two nodes
+//   tool_names   field data: contact_tool 1 is the first of them
 class FrameWriter {
 public:
   // Keeps a reference to the mesh. Frames of an earlier run in `directory` are removed, but for the first
   // `frames_kept`, which a resumed run goes on from. Throws FileError when fewer than that are there.
-  FrameWriter(std::filesystem::path directory, const Mesh& mesh, int frames_kept = 0);
+  // With `tools`, their names, fields must hold the state of contact.
+  FrameWriter(std::filesystem::path directory, const Mesh& mesh, int frames_kept = 0,
+              const std::vector<std::string>& tools = {});
   ~FrameWriter();
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;

@@ -59,6 +59,7 @@ ForeignMesh read_text_as(const std::string& text, const std::string& ending) {
 
 void expect_same_mesh(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.nodes.position, b.nodes.position);
+  EXPECT_EQ(a.nodes.flat_position, b.nodes.flat_position);
   EXPECT_EQ(a.nodes.mass, b.nodes.mass);
   EXPECT_EQ(a.nodes.crossing, b.nodes.crossing);
   EXPECT_EQ(a.yarns.node, b.yarns.node);

@@ -171,6 +171,46 @@ TEST(OutlineZoo, BlanksOfOneRollShareTheirYarns) {
       EXPECT_NEAR(x / 4.92, std::round(x / 4.92), 1e-9);  // a crossing lies at the roll's origin
 }
 
+std::string outline_script(const std::string& text) {
+  const fs::path file = fs::temp_directory_path() / "weaveform_outline.geo";
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+// A plate with a round hole and a notch, as a Gmsh script: read through the same door as STEP, IGES and BREP.
+TEST(OutlineCad, APlateWithAHoleAndANotchHasItsArea) {
+  Scene scene = shaped("file");
+  scene.blank.outline = outline_script(
+      "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-90, -60, 0, 180, 120};\nDisk(2) = {40, 10, 0, 20};\n"
+      "Rectangle(3) = {-10, -60, 0, 20, 30};\nBooleanDifference{ Surface{1}; Delete; }{ Surface{2,3}; Delete; }\n");
+  scene.blank.yarn_angle = 30.0;
+  const double area = 180.0 * 120.0 - 20.0 * 30.0 - std::numbers::pi * 400.0;
+  const Mesh mesh = build_mesh(scene, plain_weave());
+  const double meshed = std::accumulate(mesh.cells.area.begin(), mesh.cells.area.end(), 0.0);
+  // chords within 0.01 mm of the hole's edge leave at most that times its length
+  EXPECT_NEAR(meshed, area, 0.01 * 2.0 * std::numbers::pi * 20.0);
+  check_mesh(mesh, plain_weave(), meshed, "plate");
+}
+
+TEST(OutlineCad, OpenAndTiltedCurvesAreNamedByPlace) {
+  Scene scene = shaped("file");
+  const auto message = [&](const std::string& text) -> std::string {
+    scene.blank.outline = outline_script(text);
+    try {
+      static_cast<void>(build_mesh(scene, plain_weave()));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string open =
+      message("Point(1)={0,0,0};Point(2)={100,0,0};Point(3)={100,100,0};Line(1)={1,2};Line(2)={2,3};\n");
+  EXPECT_NE(open.find("the outline is open at ("), std::string::npos) << open;
+  const std::string tilted =
+      message("Point(1)={0,0,0};Point(2)={100,0,0};Point(3)={100,100,9};Line(1)={1,2};Line(2)={2,3};Line(3)={3,1};\n");
+  EXPECT_NE(tilted.find("leaves its plane"), std::string::npos) << tilted;
+}
+
 std::string complaint_about(const std::string& text) {
   const fs::path file = fs::temp_directory_path() / "weaveform_bad_outline.csv";
   std::ofstream(file) << text;

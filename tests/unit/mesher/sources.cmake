@@ -1,7 +1,7 @@
 set(UNIT_MESHER_SOURCES
-  support/run_command.cpp
   unit/mesher/card_test.cpp
   unit/mesher/chart_test.cpp
+  unit/mesher/drape_test.cpp
   unit/mesher/export_columns_test.cpp
   unit/mesher/identify_fit_file_test.cpp
   unit/mesher/identify_raw_table_test.cpp
@@ -21,6 +21,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/lattice_step_test.cpp
   unit/mesher/lattice_totals_test.cpp
   unit/mesher/mesh_io_test.cpp
+  unit/mesher/tools_cad_test.cpp
   unit/mesher/tools_distance_test.cpp
   unit/mesher/tools_scene_test.cpp
 )

@@ -1,7 +1,13 @@
 set(UNIT_POST_SOURCES
+  support/run_command.cpp
   unit/post/bias_extension_test.cpp
   unit/post/contours_test.cpp
+  unit/post/dic_comparison_test.cpp
+  unit/post/dic_instrument_test.cpp
+  unit/post/dic_readers_test.cpp
+  unit/post/forming_test.cpp
   unit/post/post_test.cpp
   unit/post/summary_test.cpp
   unit/post/transfer_test.cpp
+  unit/post/wrinkles_test.cpp
 )

@@ -13,9 +13,9 @@
 namespace weaveform {
 namespace {
 
-const std::vector<std::string> arrays = {"shear_angle_deg", "family",          "warp_direction",
-                                         "weft_direction",  "yarn_strain",     "yarn_force_N",
-                                         "folded",          "displacement_mm", "TimeValue"};
+const std::vector<std::string> arrays = {
+    "shear_angle_deg", "family",          "warp_direction", "weft_direction", "yarn_strain",       "yarn_force_N",
+    "folded",          "displacement_mm", "TimeValue",      "thickness_mm",   "areal_weight_ratio"};
 
 // Angles and positions with no short decimal form, so that a loss of bits would show.
 Fields uneven_fields(const Mesh& mesh, double time) {

@@ -1,6 +1,7 @@
 set(UNIT_SOLVER_SOURCES
   unit/solver/bending_test.cpp
   unit/solver/contact_law_test.cpp
+  unit/solver/contact_state_test.cpp
   unit/solver/fabric_forces_test.cpp
   unit/solver/fields_test.cpp
   unit/solver/frames_test.cpp

@@ -1,0 +1,107 @@
+// weaveform post compare RESULT MEASUREMENT..., post virtual RESULT and post border RESULT: measured point fields
+// beside the simulation, the simulation as a measurement, and how wide an instrument makes the borders of its zones.
+#include "post/comparison/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "mesher/base/error.hpp"
+#include "post/virtual_dic/border.hpp"
+#include "post/virtual_dic/export.hpp"
+
+namespace weaveform {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DicArguments {
+  std::string result;
+  std::vector<std::string> measurement;
+  std::string settings;
+  std::vector<std::string> overrides;
+  std::string output;
+  std::string format = "aramis";
+  std::vector<double> facets = {2.0, 4.0, 6.0, 8.0, 10.0};
+  bool keys = false, quiet = false;
+};
+
+void require_result(const DicArguments& arguments) {
+  if (arguments.result.empty()) throw InputError("RESULT is required; '--help' tells more");
+}
+
+void run_compare(const DicArguments& arguments) {
+  if (arguments.keys) return print_answer(dic::settings_reference_markdown());
+  require_result(arguments);
+  if (arguments.measurement.empty())
+    throw InputError("MEASUREMENT is required: the files of the point fields, or their folder");
+  const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
+  const fs::path output =
+      arguments.output.empty() ? fs::path(arguments.result) / "comparison" : fs::path(arguments.output);
+  const auto comparison = dic::compare(arguments.result, arguments.measurement, settings, output);
+  if (arguments.quiet) return;
+  print_answer(dic::verdict_table(comparison));
+  log_line(fmt::format("written: {}", (output / "comparison.json").string()));
+}
+
+void run_virtual(const DicArguments& arguments) {
+  require_result(arguments);
+  const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
+  const fs::path output =
+      arguments.output.empty() ? fs::path(arguments.result) / "virtual" : fs::path(arguments.output);
+  const auto made = dic::export_virtual(arguments.result, arguments.format, settings, output);
+  if (arguments.quiet) return;
+  log_line(fmt::format("{} stages of {} points: {}; what they need to be read: {}", made.files.size(), made.points,
+                       (output / "stages").string(), made.settings.string()));
+}
+
+void run_border(const DicArguments& arguments) {
+  require_result(arguments);
+  const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
+  print_answer(dic::border_table(dic::border_widths(arguments.result, arguments.facets, settings)));
+}
+
+CLI::App* add_command(CLI::App& post, const char* name, const char* doc, DicArguments& arguments) {
+  auto* command = post.add_subcommand(name, doc);
+  command->add_option("RESULT", arguments.result, "Result folder of a solved scene");
+  command
+      ->add_option("--settings", arguments.settings, "Settings file (TOML; 'weaveform post compare --keys' lists it)")
+      ->type_name("FILE");
+  command
+      ->add_option("--set", arguments.overrides, "Override a setting, e.g. --set instrument.facet_size=4; repeatable")
+      ->type_name("TABLE.KEY=VALUE")
+      ->allow_extra_args(false);
+  return command;
+}
+
+}  // namespace
+
+void add_dic_commands(CLI::App& post) {
+  const auto arguments = std::make_shared<DicArguments>();
+  auto* compare = add_command(post, "compare", "Measured point fields (DIC) beside the simulation", *arguments);
+  compare->add_option("MEASUREMENT", arguments->measurement, "Files of the measurement in order, or their folder");
+  compare->add_option("-o,--output", arguments->output, "Folder of the comparison (default: RESULT/comparison)")
+      ->type_name("DIR");
+  compare->add_flag("--keys", arguments->keys, "Print every key of the settings file (Markdown)");
+  add_quiet_argument(*compare, arguments->quiet);
+  compare->callback([arguments] { run_compare(*arguments); });
+
+  auto* make =
+      add_command(post, "virtual", "Export the simulation as an instrument would have measured it", *arguments);
+  make->add_option("--format", arguments->format, "'aramis' or 'dice' (default aramis)");
+  make->add_option("-o,--output", arguments->output, "Folder of the virtual measurement (default: RESULT/virtual)")
+      ->type_name("DIR");
+  add_quiet_argument(*make, arguments->quiet);
+  make->callback([arguments] { run_virtual(*arguments); });
+
+  auto* border = add_command(post, "border", "Width of a bias extension's zone borders against facet size", *arguments);
+  border->add_option("--facet", arguments->facets, "Facet size, mm; repeatable (default 2, 4, 6, 8, 10)")
+      ->allow_extra_args(false);
+  border->callback([arguments] { run_border(*arguments); });
+}
+
+}  // namespace weaveform

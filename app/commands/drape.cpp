@@ -1,0 +1,53 @@
+// weaveform drape SCENE: the blank draped on its tool, as a result in itself; no mechanics.
+#include "mesher/drape/drape.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "app/result_folder.hpp"
+#include "app/stages.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/lattice/build.hpp"
+#include "mesher/scene/reader.hpp"
+#include "post/output/drape_result.hpp"
+
+namespace weaveform {
+
+namespace {
+
+struct DrapeArguments {
+  SceneArguments scene;
+  std::string output;
+  bool quiet = false;
+};
+
+void make_drape(const DrapeArguments& arguments) {
+  const Scene scene = read_scene(arguments.scene.scene, arguments.scene.overrides);
+  if (!scene.drape) throw InputError(scene.file + ": no [drape] table; add one with tool = \"NAME\"");
+  const Card card = load_card(scene.fabric.material, scene.file);
+  const Mesh mesh = build_flat_mesh(scene, card);
+  const std::filesystem::path directory =
+      arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
+  if (!arguments.quiet) log_start("drape", scene);
+  const Drape drape = drape_blank(scene, mesh);
+  prepare_folder(directory);
+  write_scene_copy(with_absolute_paths(scene), directory);
+  write_drape(scene, mesh, card, drape, directory);
+  if (!arguments.quiet) print_answer(describe_drape(mesh, card, drape));
+}
+
+}  // namespace
+
+void add_drape_command(CLI::App& program) {
+  auto* command = program.add_subcommand(
+      "drape", "Drape the blank of a scene on its tool: DIR/drape.vtu, flat_pattern.csv, drape.json");
+  const auto arguments = std::make_shared<DrapeArguments>();
+  add_scene_arguments(*command, arguments->scene);
+  add_output_argument(*command, arguments->output);
+  add_quiet_argument(*command, arguments->quiet);
+  command->callback([arguments] { make_drape(*arguments); });
+}
+
+}  // namespace weaveform

@@ -1,0 +1,141 @@
+#include "mesher/outline/cad_outline.hpp"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mesher/tools/gmsh_session.hpp"
+
+namespace weaveform {
+namespace {
+
+using Point = std::array<double, 3>;
+using Polyline = std::vector<Point>;
+
+constexpr int most_chords = 1 << 16;  // of one curve; a tolerance that wants more is a slip of the pen
+constexpr double joined = 1e-6;       // of the outline's extent: how near two curves' ends must lie
+constexpr double flat = 1e-6;         // of the extent: how far points may leave the plane
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+Polyline sampled(int curve, double from, double to, int chords) {
+  std::vector<double> parameter, coordinate;
+  for (int k = 0; k <= chords; ++k) parameter.push_back(from + (to - from) * k / chords);
+  gmsh::model::getValue(1, curve, parameter, coordinate);
+  Polyline line;
+  for (std::size_t k = 0; k + 2 < coordinate.size(); k += 3)
+    line.push_back({coordinate[k], coordinate[k + 1], coordinate[k + 2]});
+  return line;
+}
+
+// Chords are halved until the curve's own points lie within the tolerance of their middles; the error of a chord falls
+// by four each time, so that the last look is on the safe side.
+Polyline chords_of(int curve, double tolerance) {
+  std::vector<double> low, high;
+  gmsh::model::getParametrizationBounds(1, curve, low, high);
+  std::string type;
+  gmsh::model::getType(1, curve, type);
+  if (type == "Line") return sampled(curve, low[0], high[0], 1);
+  for (int chords = 4; chords < most_chords; chords *= 2) {
+    const Polyline line = sampled(curve, low[0], high[0], chords), finer = sampled(curve, low[0], high[0], 2 * chords);
+    double worst = 0.0;
+    for (int k = 0; k < chords; ++k) {
+      const Point middle = {0.5 * (line[k][0] + line[k + 1][0]), 0.5 * (line[k][1] + line[k + 1][1]),
+                            0.5 * (line[k][2] + line[k + 1][2])};
+      worst = std::max(worst, distance(middle, finer[2 * k + 1]));
+    }
+    if (worst <= tolerance) return line;
+  }
+  return sampled(curve, low[0], high[0], most_chords);
+}
+
+// Curves that belong to one face only; between two faces the fabric goes on.
+std::vector<int> boundary_curves() {
+  gmsh::vectorpair faces, curves;
+  gmsh::model::getEntities(faces, 2);
+  std::vector<int> result;
+  if (faces.empty()) {
+    gmsh::model::getEntities(curves, 1);
+    for (const auto& entity : curves) result.push_back(entity.second);
+    return result;
+  }
+  std::map<int, int> uses;
+  for (const auto& face : faces) {
+    gmsh::vectorpair around;
+    gmsh::model::getBoundary({face}, around, false, false, false);
+    for (const auto& entity : around) ++uses[std::abs(entity.second)];
+  }
+  for (const auto& [curve, count] : uses)
+    if (count == 1) result.push_back(curve);
+  return result;
+}
+
+double extent_of(const std::vector<Polyline>& lines) {
+  Point low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
+  for (const auto& line : lines)
+    for (const auto& p : line)
+      for (int c = 0; c < 3; ++c) {
+        low[c] = std::min(low[c], p[c]);
+        high[c] = std::max(high[c], p[c]);
+      }
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 0.0});
+}
+
+// Joins curves end to end until each loop closes.
+std::vector<OutlineLoop> joined_loops(std::vector<Polyline> lines, double near, const std::string& file,
+                                      std::vector<std::string>& complaints) {
+  std::vector<OutlineLoop> loops;
+  while (!lines.empty()) {
+    Polyline loop = std::move(lines.back());
+    lines.pop_back();
+    while (distance(loop.front(), loop.back()) > near || loop.size() < 3) {
+      const auto next = std::find_if(lines.begin(), lines.end(), [&](const Polyline& line) {
+        return distance(line.front(), loop.back()) <= near || distance(line.back(), loop.back()) <= near;
+      });
+      if (next == lines.end()) {
+        complaints.push_back(fmt::format(
+            "{}: the outline is open at ({:.6g}, {:.6g}); close it: {:.4g} mm are missing to where it began", file,
+            loop.back()[0], loop.back()[1], distance(loop.front(), loop.back())));
+        return {};
+      }
+      if (distance(next->front(), loop.back()) > near) std::reverse(next->begin(), next->end());
+      loop.insert(loop.end(), next->begin() + 1, next->end());
+      lines.erase(next);
+    }
+    OutlineLoop closed;
+    for (std::size_t k = 0; k + 1 < loop.size(); ++k) closed.point.push_back({loop[k][0], loop[k][1]});
+    loops.push_back(std::move(closed));
+  }
+  return loops;
+}
+
+}  // namespace
+
+std::vector<OutlineLoop> read_cad_outline(const std::string& file, double chord_tolerance,
+                                          std::vector<std::string>& complaints) {
+  const GmshSession session(file);
+  std::vector<Polyline> lines;
+  for (const int curve : boundary_curves()) lines.push_back(chords_of(curve, chord_tolerance));
+  if (lines.empty()) {
+    complaints.push_back(file + ": no curve in it; an outline is a planar face or closed curves");
+    return {};
+  }
+  const double extent = extent_of(lines), height = lines.front().front()[2];
+  for (const auto& line : lines)
+    for (const auto& p : line)
+      if (std::abs(p[2] - height) > flat * extent) {
+        complaints.push_back(
+            fmt::format("{}: the outline leaves its plane, z = {:.6g} mm at ({:.6g}, {:.6g}) and {:.6g} "
+                        "elsewhere; turn it into a plane of constant z",
+                        file, p[2], p[0], p[1], height));
+        return {};
+      }
+  return joined_loops(std::move(lines), joined * extent, file, complaints);
+}
+
+}  // namespace weaveform

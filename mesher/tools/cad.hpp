@@ -1,0 +1,26 @@
+// Tools from CAD through the Gmsh SDK, as triangles within a chord tolerance of the true surface.
+#pragma once
+
+#include <filesystem>
+
+#include "mesher/tools/triangles.hpp"
+
+namespace weaveform {
+
+// By its ending: .step .stp .iges .igs .brep .geo (Gmsh script).
+[[nodiscard]] bool is_cad_file(const std::filesystem::path& file);
+
+struct CadSurface {
+  TriangleList list;         // faces as the file orients them
+  double chord_error = 0.0;  // mm; greatest distance found from a triangle's sides and centre to the true surface
+};
+
+// All surfaces of the file, in mm (STEP and IGES name their units, which are converted; BREP and .geo are taken as mm).
+// Triangles follow the curvature and are made smaller until the measured error is within `chord_tolerance` (mm).
+// Throws FileError when the file cannot be read, InputError when it holds no surface or the tolerance is not reached.
+[[nodiscard]] CadSurface read_cad(const std::filesystem::path& file, double chord_tolerance);
+
+// The same geometry in another format, by the ending of `to` (.step, .brep). Throws FileError.
+void convert_cad(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace weaveform

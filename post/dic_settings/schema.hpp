@@ -1,0 +1,26 @@
+// Every key of a settings file: one row each. Reader, --set and docs/dic_settings.md all follow these rows; a new key
+// is a member in settings.hpp and a row in schema.cpp.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mesher/base/key_table.hpp"
+#include "post/dic_settings/settings.hpp"
+
+namespace weaveform::dic {
+
+// A table of the file: how it is read, and what the reference says of it.
+struct SettingsTable {
+  std::string name;
+  bool many = false;
+  std::string doc;
+  std::vector<KeyInfo> keys;
+  std::function<void(const toml::node&, Settings&, Complaints&)> read;
+};
+
+// In the order of the reference.
+[[nodiscard]] const std::vector<SettingsTable>& settings_tables();
+
+}  // namespace weaveform::dic

@@ -1,0 +1,185 @@
+// The files of an evaluation: tables, charts, and what a viewer lays over the frames.
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mesher/base/chart.hpp"
+#include "mesher/drape/sphere_net.hpp"
+#include "post/forming/forming.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double degrees = 180.0 / std::numbers::pi;  // per radian
+
+// An empty field where there is no number.
+std::string field(double value) {
+  return std::isfinite(value) ? fmt::format("{:.10g}", value) : "";
+}
+
+void write_meridians(const Forming& forming, const fs::path& directory) {
+  std::string table = "azimuth_deg,arc_mm,shear_angle_deg,height_mm,radius_mm,x_mm,y_mm,z_mm\n";
+  Chart chart{.title = "Shear angle along meridians"};
+  chart.x.title = "arc along the fabric from the axis (mm)";
+  chart.y.title = "shear angle (deg)";
+  for (std::size_t k = 0; k < meridian_azimuths.size(); ++k) {
+    ChartSeries series{.label = fmt::format("{:g}° from the warp", meridian_azimuths[k])};
+    for (const MeridianPoint& p : forming.meridian[k]) {
+      table += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}\n", meridian_azimuths[k],
+                           p.arc, p.angle * degrees, p.height, p.radius, p.place.x(), p.place.y(), p.place.z());
+      series.x.push_back(p.arc);
+      series.y.push_back(p.angle * degrees);
+    }
+    chart.series.push_back(series);
+  }
+  write_text_whole(directory / "meridians.csv", table);
+  write_text_whole(directory / "meridians.svg", to_svg(chart));
+}
+
+void write_polydata(vtkPolyData& data, const fs::path& file) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(&data);
+  write_vtk_whole(file, *writer);
+}
+
+// Two closed lines: before (cell data `formed` 0) and after (1).
+void write_outline_lines(const Forming& forming, const Mesh& mesh, const Fields& fields, const fs::path& file) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> formed, node;
+  formed->SetName("formed");
+  node->SetName("node");
+  vtkNew<vtkDoubleArray> inwards;
+  inwards->SetName("draw_in_mm");
+  for (const bool after : {false, true}) {
+    const std::vector<Vec3>& position = after ? fields.position : flat_positions(mesh);
+    const auto nodes = static_cast<vtkIdType>(forming.outline.size());
+    const vtkIdType first = points->GetNumberOfPoints();
+    lines->InsertNextCell(static_cast<int>(nodes + 1));
+    for (vtkIdType k = 0; k <= nodes; ++k) lines->InsertCellPoint(first + k % nodes);
+    for (const int n : forming.outline) {
+      points->InsertNextPoint(position[n].data());
+      node->InsertNextValue(n);
+      inwards->InsertNextValue(forming.axis.radius(vector_of(flat_positions(mesh)[n])) -
+                               forming.axis.radius(vector_of(fields.position[n])));
+    }
+    formed->InsertNextValue(after ? 1 : 0);
+  }
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->GetCellData()->AddArray(formed);
+  data->GetPointData()->AddArray(node);
+  data->GetPointData()->SetScalars(inwards);
+  write_polydata(*data, file);
+}
+
+void write_outline(const Forming& forming, const Mesh& mesh, const Fields& fields, const fs::path& directory) {
+  std::string table = "azimuth_deg,radius_before_mm,radius_after_mm,draw_in_mm\n";
+  for (const DrawInRow& r : forming.draw_in.row)
+    table +=
+        fmt::format("{:g},{:.10g},{:.10g},{:.10g}\n", std::round(r.azimuth * degrees), r.before, r.after, r.draw_in());
+  write_text_whole(directory / "outline.csv", table);
+  write_outline_lines(forming, mesh, fields, directory / "outline.vtp");
+}
+
+void write_wrinkles(const Forming& forming, const Mesh& mesh, const Fields& fields, const fs::path& file) {
+  const Wrinkles& wrinkles = forming.wrinkles;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> relief, curvature, gap;
+  vtkNew<vtkUnsignedCharArray> wrinkled, folded;
+  relief->SetName("wrinkle_relief_mm");
+  curvature->SetName("wrinkle_curvature_per_mm");
+  gap->SetName("contact_gap_mm");
+  wrinkled->SetName("wrinkled");
+  folded->SetName("folded");
+  for (std::size_t n = 0; n < fields.position.size(); ++n) {
+    points->InsertNextPoint(fields.position[n].data());
+    relief->InsertNextValue(wrinkles.relief[n]);
+    curvature->InsertNextValue(wrinkles.curvature[n]);
+    gap->InsertNextValue(forming.gap[n]);
+    wrinkled->InsertNextValue(wrinkles.wrinkled[n] ? 1 : 0);
+  }
+  vtkNew<vtkCellArray> polygons;
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const int begin = mesh.cells.offset[cell], nodes = mesh.cells.offset[cell + 1] - begin;
+    polygons->InsertNextCell(nodes);
+    for (int k = 0; k < nodes; ++k) polygons->InsertCellPoint(mesh.cells.node[begin + k]);
+    folded->InsertNextValue(fields.folded[cell] ? 1 : 0);
+  }
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{relief, curvature, gap, wrinkled})
+    data->GetPointData()->AddArray(array);
+  data->GetCellData()->AddArray(folded);
+  write_polydata(*data, file);
+}
+
+void write_punch_chart(const PunchCurve& punch, const fs::path& file) {
+  Chart chart{.title = "Force of the tools"};
+  chart.x.title = fmt::format("travel of {} (mm)", punch.punch);
+  chart.y.title = "force along each tool's direction (N)";
+  for (std::size_t t = 0; t < punch.tool.size(); ++t)
+    chart.series.push_back({.label = punch.tool[t],
+                            .x = punch.travel,
+                            .y = punch.force[t],
+                            .mark = static_cast<int>(t) == punch.punch_number ? ChartMark::line : ChartMark::dashed});
+  write_text_whole(file, to_svg(chart));
+}
+
+void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
+  std::string table = "cell,u_mm,v_mm,s,shear_angle_deg,net_deg,on_sphere\n";
+  ChartSeries on{.label = "on the sphere", .mark = ChartMark::points};
+  ChartSeries off{.label = "elsewhere", .mark = ChartMark::points};
+  ChartSeries net{.label = "inextensible net g(s)"};
+  const double fold = sphere_net_fold();
+  for (std::size_t c = 0; c < fit.cell.size(); ++c) {
+    const SphereNetCell& cell = fit.cell[c];
+    table += fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{},{}\n", c, cell.u, cell.v, cell.s, cell.angle * degrees,
+                         field(cell.net * degrees), cell.on_sphere ? 1 : 0);
+    if (std::abs(cell.s) > fold) continue;
+    ChartSeries& series = cell.on_sphere ? on : off;
+    series.x.push_back(cell.s);
+    series.y.push_back(cell.angle * degrees);
+  }
+  for (int k = -100; k <= 100; ++k) {
+    net.x.push_back(fold * k / 100.0);
+    net.y.push_back(sphere_net_angle(net.x.back()) * degrees);
+  }
+  Chart chart{.title = fmt::format("Shear angle over {}, R = {:g} mm", fit.tool, fit.radius)};
+  chart.x.title = "s = u v / R²";
+  chart.y.title = "shear angle (deg)";
+  chart.series = {off, on, net};
+  write_text_whole(directory / "sphere_net.csv", table);
+  write_text_whole(directory / "sphere_net.svg", to_svg(chart));
+}
+
+}  // namespace
+
+void write_forming(const Forming& forming, const Mesh& mesh, const Fields& fields, const fs::path& directory) {
+  for (const char* name : {"punch_force.svg", "sphere_net.csv", "sphere_net.svg"}) fs::remove(directory / name);
+  write_meridians(forming, directory);
+  write_outline(forming, mesh, fields, directory);
+  write_wrinkles(forming, mesh, fields, directory / "wrinkles.vtp");
+  if (forming.punch) write_punch_chart(*forming.punch, directory / "punch_force.svg");
+  if (forming.sphere_net) write_sphere_net(*forming.sphere_net, directory);
+}
+
+}  // namespace weaveform

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesher/base/error.hpp"
+#include "post/measurement/readers.hpp"
+
+namespace weaveform::dic {
+namespace {
+
+struct VicColumns {
+  std::array<const char*, 3> position, displacement;  // third: "" in two dimensions
+  bool pixels;                                        // no unit in the heading means pixels of the image
+};
+
+// In the order they are preferred where a file has several.
+constexpr std::array<VicColumns, 3> kinds = {{
+    {{"X", "Y", "Z"}, {"U", "V", "W"}, false},
+    {{"x_c", "y_c", ""}, {"u_c", "v_c", ""}, false},
+    {{"x", "y", ""}, {"u", "v", ""}, true},
+}};
+
+bool has(const std::vector<std::string>& heading, const VicColumns& kind) {
+  return has_columns(heading, {kind.position[0], kind.position[1], kind.displacement[0], kind.displacement[1]});
+}
+
+int index_of(const PointTable& table, const char* name) {
+  const auto column = *name == '\0' ? std::nullopt : find_column(table.heading, name);
+  return column ? static_cast<int>(*column) : -1;
+}
+
+}  // namespace
+
+bool names_vic(const std::vector<std::string>& heading) {
+  return std::any_of(kinds.begin(), kinds.end(), [&](const VicColumns& kind) { return has(heading, kind); });
+}
+
+MeasuredStage read_vic(const PointTable& table, const MeasurementSpec& spec) {
+  MeasuredStage stage;
+  stage.label = std::filesystem::path(table.file).filename().string();
+  const auto kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const VicColumns& k) { return has(table.heading, k); });
+  PointColumns columns;
+  columns.x = index_of(table, kind->position[0]);
+  columns.y = index_of(table, kind->position[1]);
+  columns.z = index_of(table, kind->position[2]);
+  columns.u = index_of(table, kind->displacement[0]);
+  columns.v = index_of(table, kind->displacement[1]);
+  columns.w = index_of(table, kind->displacement[2]);
+  std::vector<std::size_t> lengths;
+  for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
+    if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
+  const bool bare = column_name(table.heading[lengths.front()]).unit.empty();
+  const double factor = kind->pixels && bare ? length_factor("px", spec, table.file, kind->position[0])
+                                             : common_length_factor(table, lengths, spec);
+  const auto sigma = find_column(table.heading, "sigma");
+  if (sigma) columns.flags.push_back(static_cast<int>(*sigma));
+  const int y_pixel = kind->pixels ? -1 : index_of(table, "y");
+  if (y_pixel >= 0) columns.flags.push_back(y_pixel);
+  PointRows rows = read_points(table, columns, factor);
+
+  // VIC writes sigma = -1 where the correlation failed, and then often zeros for everything else.
+  std::vector<bool> failed(rows.position.size(), false);
+  for (std::size_t i = 0; sigma && i < failed.size(); ++i) {
+    failed[i] = !(rows.flags[0][i] >= 0.0);
+    if (failed[i] && rows.position[i] == Vec3{0.0, 0.0, 0.0}) {
+      rows.position[i][0] = std::numeric_limits<double>::quiet_NaN();
+      if (y_pixel >= 0) rows.flags.back()[i] = rows.position[i][0];
+    }
+  }
+  stage.notes.push_back(sigma ? "failed correlations by: sigma < 0" : "failed correlations by: none in the file");
+
+  bool up = spec.y_axis == "up";
+  if (spec.y_axis == "auto" && !kind->pixels) {
+    const auto told = y_pixel >= 0 ? y_is_up(rows.flags.back(), rows.position) : std::nullopt;
+    if (!told)
+      throw InputError(
+          fmt::format("{}: does {} point up or down on the specimen? without the pixel column 'y' the file "
+                      "does not tell; set y_axis of [measurement]",
+                      table.file, kind->position[1]));
+    up = *told;
+  }
+  if (!up) flip_y(rows);
+  stage.notes.push_back(fmt::format("VIC: columns {} {} and {} {}, y {}{}", kind->position[0], kind->position[1],
+                                    kind->displacement[0], kind->displacement[1], up ? "up" : "down, turned up",
+                                    spec.y_axis != "auto" ? " as the settings say"
+                                    : kind->pixels        ? ", the image's"
+                                                          : ", told by the pixel column"));
+  take_rows(std::move(rows), failed, stage);
+  return stage;
+}
+
+}  // namespace weaveform::dic

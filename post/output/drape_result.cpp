@@ -1,0 +1,152 @@
+#include "post/output/drape_result.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "mesher/drape/flat_pattern.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr double to_deg = 180.0 / std::numbers::pi;
+
+void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::path& file) {
+  std::vector<vtkIdType> point(mesh.node_count(), -1);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> flat, angle;
+  flat->SetName("flat_position_mm");
+  flat->SetNumberOfComponents(3);
+  for (int n = 0; n < mesh.node_count(); ++n) {
+    if (drape.placed[n] == 0) continue;
+    point[n] = points->InsertNextPoint(drape.position[n].data());
+    flat->InsertNextTuple(mesh.nodes.position[n].data());
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  angle->SetName("shear_angle_deg");
+  vtkNew<vtkUnsignedCharArray> folded, family;
+  folded->SetName("folded");
+  family->SetName("family");
+  for (int e = 0; e < mesh.yarn_count(); ++e) {
+    const vtkIdType ends[2] = {point[mesh.yarns.node[e][0]], point[mesh.yarns.node[e][1]]};
+    if (ends[0] < 0 || ends[1] < 0) continue;
+    grid->InsertNextCell(VTK_LINE, 2, ends);
+    angle->InsertNextValue(0.0);
+    folded->InsertNextValue(0);
+    family->InsertNextValue(mesh.yarns.family[e] == Family::warp ? 1 : 2);
+  }
+  for (int c = 0; c < mesh.cells.size(); ++c) {
+    if (std::isnan(drape.shear_angle[c])) continue;
+    std::vector<vtkIdType> corner;
+    for (int a = mesh.cells.offset[c]; a < mesh.cells.offset[c + 1]; ++a) corner.push_back(point[mesh.cells.node[a]]);
+    grid->InsertNextCell(corner.size() == 4 ? VTK_QUAD : VTK_POLYGON, static_cast<vtkIdType>(corner.size()),
+                         corner.data());
+    angle->InsertNextValue(drape.shear_angle[c] * to_deg);
+    folded->InsertNextValue(static_cast<unsigned char>(drape.folded[c]));
+    family->InsertNextValue(0);
+  }
+  grid->GetPointData()->AddArray(flat);
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{angle, folded, family})
+    grid->GetCellData()->AddArray(array);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  write_vtk_whole(file, *writer);
+}
+
+nlohmann::json places_json(const std::vector<DrapePlace>& places) {
+  auto list = nlohmann::json::array();
+  for (const auto& place : places) list.push_back({{"what", place.what}, {"at_mm", place.at}, {"count", place.count}});
+  return list;
+}
+
+int sum_of_counts(const std::vector<DrapePlace>& places) {
+  return std::accumulate(places.begin(), places.end(), 0, [](int sum, const DrapePlace& p) { return sum + p.count; });
+}
+
+}  // namespace
+
+DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape) {
+  DrapeSummary s;
+  s.cells = mesh.cells.size();
+  double area = 0.0;
+  for (int c = 0; c < s.cells; ++c) {
+    if (std::isnan(drape.shear_angle[c])) continue;
+    ++s.cells_placed;
+    s.folded_cells += drape.folded[c];
+    if (drape.folded[c] != 0) continue;
+    const double degrees = std::abs(drape.shear_angle[c]) * to_deg;
+    s.max_shear_angle_deg = std::max(s.max_shear_angle_deg, degrees);
+    s.mean_shear_angle_deg += mesh.cells.area[c] * degrees;
+    area += mesh.cells.area[c];
+    s.cells_beyond_card += degrees > card.shear.valid_to_deg ? 1 : 0;
+  }
+  if (area > 0.0) s.mean_shear_angle_deg /= area;
+  s.unreachable_crossings = sum_of_counts(drape.unreachable);
+  s.cells_per_s = drape.wall_s > 0.0 ? drape.net_cells / drape.wall_s : 0.0;
+  return s;
+}
+
+void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const Drape& drape,
+                 const std::filesystem::path& directory) {
+  const DrapeSummary s = summarise(mesh, card, drape);
+  const FlatPattern pattern = flat_pattern(scene, mesh, drape);
+  write_grid(mesh, drape, directory / "drape.vtu");
+  write_text_whole(directory / "flat_pattern.csv", flat_pattern_csv(pattern));
+  const nlohmann::json json = {{"tool", drape.tool},
+                               {"seed_mm", drape.seed},
+                               {"cells", s.cells},
+                               {"cells_placed", s.cells_placed},
+                               {"folded_cells", s.folded_cells},
+                               {"unreachable_crossings", s.unreachable_crossings},
+                               {"cells_beyond_card", s.cells_beyond_card},
+                               {"max_shear_angle_deg", s.max_shear_angle_deg},
+                               {"mean_shear_angle_deg", s.mean_shear_angle_deg},
+                               {"flat_area_mm2", pattern_area(pattern)},
+                               {"length_error", drape.length_error},
+                               {"net_cells", drape.net_cells},
+                               {"wall_s", drape.wall_s},
+                               {"cells_per_s", s.cells_per_s},
+                               {"unreachable", places_json(drape.unreachable)},
+                               {"folds", places_json(drape.folds)},
+                               {"tight", places_json(drape.tight)}};
+  write_text_whole(directory / "drape.json", json.dump(2) + "\n");
+}
+
+std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape) {
+  const DrapeSummary s = summarise(mesh, card, drape);
+  std::string text = fmt::format(
+      "drape on '{}': {} of {} cells placed, {} folded; greatest shear angle {:.4g} deg, mean {:.4g} deg; yarn lengths "
+      "kept to {:.1g}; {:.3g} cells/s",
+      drape.tool, s.cells_placed, s.cells, s.folded_cells, s.max_shear_angle_deg, s.mean_shear_angle_deg,
+      drape.length_error, s.cells_per_s);
+  constexpr std::size_t most = 5;  // of a kind; the file has all
+  for (const auto* places : {&drape.unreachable, &drape.folds, &drape.tight})
+    for (std::size_t k = 0; k < places->size(); ++k) {
+      if (k == most) {
+        text += fmt::format("\nwarning: and {} more like it, see drape.json", places->size() - most);
+        break;
+      }
+      text += "\nwarning: " + place_line((*places)[k]);
+    }
+  return text;
+}
+
+}  // namespace weaveform

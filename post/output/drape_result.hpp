@@ -1,0 +1,30 @@
+// What `weaveform drape` leaves: the drape as a result in itself.
+//   drape.vtu         the cells and yarn elements that have a place: cell data shear_angle_deg, folded; point data
+//                     flat_position_mm
+//   flat_pattern.csv  outline of the draped part of the blank, flat (mesher/drape/flat_pattern.hpp)
+//   drape.json        cells, greatest angle, what is wrong and where, rate
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mesher/drape/drape.hpp"
+#include "mesher/material/card.hpp"
+
+namespace weaveform {
+
+struct DrapeSummary {
+  int cells = 0, cells_placed = 0, folded_cells = 0, unreachable_crossings = 0, cells_beyond_card = 0;
+  double max_shear_angle_deg = 0.0,
+         mean_shear_angle_deg = 0.0;  // of magnitudes, placed and unfolded cells; mean by area
+  double cells_per_s = 0.0;
+};
+[[nodiscard]] DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape);
+
+// `mesh` flat. Throws FileError.
+void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const Drape& drape,
+                 const std::filesystem::path& directory);
+// A few lines for people.
+[[nodiscard]] std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape);
+
+}  // namespace weaveform
