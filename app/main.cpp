@@ -29,6 +29,8 @@ int run_command(int argc, char** argv) {
   weaveform::add_unit_cell_command(program);
   weaveform::add_tool_command(program);
   weaveform::add_study_command(program);
+  weaveform::add_export_command(program);
+  weaveform::add_import_command(program);
   weaveform::add_keys_command(program);
   try {
     program.parse(argc, argv);

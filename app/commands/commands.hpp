@@ -19,6 +19,8 @@ void add_check_command(CLI::App& program);
 void add_drape_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
 void add_chart_command(CLI::App& program);
+void add_export_command(CLI::App& program);
+void add_import_command(CLI::App& program);
 void add_keys_command(CLI::App& program);
 void add_tool_command(CLI::App& program);
 void add_unit_cell_command(CLI::App& program);

@@ -4,6 +4,7 @@ set(CHAIN_SOURCES
   chain/bias_extension_test.cpp
   chain/dic_loop_test.cpp
   chain/examples_test.cpp
+  chain/export_test.cpp
   chain/forming_test.cpp
   chain/stages_test.cpp
   chain/symmetry_test.cpp

@@ -2,10 +2,12 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/card_test.cpp
   unit/mesher/chart_test.cpp
   unit/mesher/drape_test.cpp
+  unit/mesher/export_columns_test.cpp
   unit/mesher/identify_fit_file_test.cpp
   unit/mesher/identify_raw_table_test.cpp
   unit/mesher/identify_shear_test.cpp
   unit/mesher/identify_tension_test.cpp
+  unit/mesher/import_test.cpp
   unit/mesher/law_test.cpp
   unit/mesher/outline_zoo_test.cpp
   unit/mesher/polynomial_test.cpp

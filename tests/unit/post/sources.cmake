@@ -9,5 +9,6 @@ set(UNIT_POST_SOURCES
   unit/post/forming_test.cpp
   unit/post/post_test.cpp
   unit/post/summary_test.cpp
+  unit/post/transfer_test.cpp
   unit/post/wrinkles_test.cpp
 )

@@ -1,0 +1,85 @@
+// weaveform import FILE: a mesh of another code as a folder that `weaveform solve` takes.
+#include "mesher/import/import.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/console.hpp"
+#include "app/result_folder.hpp"
+#include "app/stages.hpp"
+#include "mesher/scene/reader.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ImportArguments {
+  std::string file, scene, output;
+  std::vector<std::string> overrides;
+  bool quiet = false;
+};
+
+// Tools whose shells stand in the mesh file become STL files beside the mesh.
+void keep_tools(const ForeignMesh& file, const fs::path& directory, Scene& scene) {
+  for (auto& tool : scene.tools) {
+    if (tool.shape != "triangles") continue;
+    const auto surface = tool_surface(file, tool.name);
+    if (!surface) continue;
+    const fs::path stl = fs::absolute(directory / (tool.name + ".stl"));
+    write_text_whole(stl, *surface);
+    tool.file = stl.string();
+  }
+}
+
+void run_import(const ImportArguments& arguments) {
+  const ForeignMesh file = read_foreign_mesh(arguments.file);
+  const fs::path directory = arguments.output;
+  ImportedMesh imported;
+  Model model;
+  if (arguments.scene.empty()) {
+    imported = import_own(file);
+    model.scene = read_scene_text(imported.scene, arguments.file, arguments.overrides);
+    model.card = load_card(model.scene.fabric.material, model.scene.file);
+  } else {
+    model.scene = read_scene(arguments.scene, arguments.overrides);
+    model.card = load_card(model.scene.fabric.material, model.scene.file);
+    imported = import_foreign(file, model.scene, model.card);
+  }
+  model.mesh = std::move(imported.mesh);
+  prepare_folder(directory);
+  model.scene = with_absolute_paths(model.scene);
+  keep_tools(file, directory, model.scene);
+  write_model(model, directory);
+  if (arguments.quiet) return;
+  for (const auto& note : imported.notes) log_line("import: " + note);
+  print_answer(describe(model));
+}
+
+}  // namespace
+
+void add_import_command(CLI::App& program) {
+  auto* command = program.add_subcommand(
+      "import", "A mesh of lines and shells (.msh 4.1, Abaqus .inp) as DIR/mesh.vtu and DIR/scene.toml");
+  const auto arguments = std::make_shared<ImportArguments>();
+  command->add_option("FILE", arguments->file, "Mesh file, .msh or .inp")->required();
+  command
+      ->add_option("--scene", arguments->scene,
+                   "Scene with fabric, model, grips (by the names of node sets), tools and analysis; not needed for "
+                   "files that 'weaveform export' wrote")
+      ->type_name("SCENE");
+  command->add_option("-o,--output", arguments->output, "Folder for 'weaveform solve'")->required()->type_name("DIR");
+  command->add_option("--set", arguments->overrides, "Override a value of the scene; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  add_quiet_argument(*command, arguments->quiet);
+  command->callback([arguments] { run_import(*arguments); });
+}
+
+}  // namespace weaveform

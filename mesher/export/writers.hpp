@@ -1,0 +1,14 @@
+// The writers, one per format: each gives the whole file and adds to model.not_carried what its own format cannot say.
+#pragma once
+
+#include "mesher/export/export.hpp"
+#include "mesher/export/gathered.hpp"
+
+namespace weaveform::foreign {
+
+[[nodiscard]] ExportedMesh write_abaqus(const Gathered& model);
+[[nodiscard]] ExportedMesh write_lsdyna(const Gathered& model);
+[[nodiscard]] ExportedMesh write_openradioss(const Gathered& model);
+[[nodiscard]] ExportedMesh write_gmsh(const Gathered& model);
+
+}  // namespace weaveform::foreign

@@ -1,0 +1,100 @@
+#include "post/transfer/fibre_field.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "mesher/base/error.hpp"
+#include "mesher/export/gathered.hpp"
+#include "mesher/material/card.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+#include "mesher/scene/reader.hpp"
+#include "solver/result/result.hpp"
+
+namespace weaveform {
+
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d vector_of(const Vec3& a) {
+  return {a[0], a[1], a[2]};
+}
+Vec3 array_of(const Vector3d& a) {
+  return {a.x(), a.y(), a.z()};
+}
+
+// g_f = sum_a coefficient[f][a] x_a (mesh.hpp).
+std::array<Vector3d, 2> yarn_vectors(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
+  std::array<Vector3d, 2> g = {Vector3d::Zero(), Vector3d::Zero()};
+  for (int k = cells.offset[cell]; k < cells.offset[cell + 1]; ++k)
+    for (std::size_t f = 0; f < 2; ++f) g[f] += cells.coefficient[k][f] * vector_of(position[cells.node[k]]);
+  return g;
+}
+
+FibreState state_of(const Mesh& mesh, const ModelSpec& model, int cell, const std::vector<Vec3>& position) {
+  const auto g = yarn_vectors(mesh.cells, cell, position);
+  const Vector3d normal = g[0].cross(g[1]);
+  const double ratio = normal.norm();  // J
+  if (!(ratio > 0.0))
+    throw InputError(fmt::format("cell {} has collapsed to a line: no directions can be given", cell));
+  FibreState state;
+  const Vector3d warp = g[0].normalized(), weft = g[1].normalized();
+  state.warp = array_of(warp);
+  state.weft = array_of(weft);
+  state.shear_angle = std::atan2(warp.dot(weft), warp.cross(weft).norm());
+  state.thickness = model.thickness == "constant-volume" ? mesh.thickness / ratio : mesh.thickness;
+  state.fibre_mass_ratio = 1.0 / ratio;
+  state.fibre_volume_ratio = mesh.thickness / (ratio * state.thickness);
+  return state;
+}
+
+Vec3 centre_of(const std::vector<int>& node, const std::vector<Vec3>& position) {
+  Vector3d sum = Vector3d::Zero();
+  for (const int n : node) sum += vector_of(position[n]);
+  return array_of(sum / static_cast<double>(node.size()));
+}
+
+}  // namespace
+
+FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<Vec3>& position) {
+  FibreField field;
+  field.position = position;
+  field.flat_thickness = mesh.thickness;
+  const double angle = (scene.blank.yarn_angle + scene.blank.orientation) * std::numbers::pi / 180.0;
+  field.flat_direction = {Vec3{std::cos(angle), std::sin(angle), 0.0}, Vec3{-std::sin(angle), std::cos(angle), 0.0}};
+  const auto shells = foreign::shells_of(mesh.cells);
+  for (std::size_t k = 0; k < shells.size(); ++k) {
+    StateElement element;
+    element.number = mesh.yarn_count() + 1 + static_cast<long>(k);
+    element.node.assign(shells[k].node.begin(), shells[k].node.begin() + shells[k].size());
+    element.centre = centre_of(element.node, position);
+    element.state = state_of(mesh, scene.model, shells[k].cell, position);
+    field.element.push_back(std::move(element));
+  }
+  return field;
+}
+
+FibreField read_fibre_field(const std::filesystem::path& directory) {
+  for (const char* name : {"scene.toml", "mesh.vtu", "result.pvd"})
+    if (!std::filesystem::is_regular_file(directory / name))
+      throw FileError(
+          fmt::format("{}: no such file; solve the scene into this folder first", (directory / name).string()));
+  const Scene scene = read_scene(directory / "scene.toml");
+  const Mesh mesh = read_mesh(directory / "mesh.vtu");
+  const auto frames = list_frames(directory);
+  if (frames.empty())
+    throw InputError(fmt::format("{}: lists no frame; solve again", (directory / "result.pvd").string()));
+  const auto position = read_frame_positions(frames.back().file);
+  if (static_cast<int>(position.size()) != mesh.node_count())
+    throw InputError(fmt::format("{}: {} nodes, but mesh.vtu has {}; the folder mixes two runs, solve again",
+                                 frames.back().file.string(), position.size(), mesh.node_count()));
+  FibreField field = fibre_field(mesh, scene, position);
+  field.source = fmt::format("{} at {:.6g} s", directory.string(), frames.back().time);
+  return field;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,54 @@
+// What a structural analysis wants of a formed fabric, per cell or per element of another mesh.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesher/import/foreign_mesh.hpp"
+#include "mesher/mesh/mesh.hpp"
+#include "solver/result/fields.hpp"
+
+namespace weaveform {
+
+struct FibreState {
+  Vec3 warp = {1.0, 0.0, 0.0}, weft = {0.0, 1.0, 0.0};  // unit
+  double shear_angle = 0.0;                             // rad; sin gamma = warp.weft
+  double thickness = 0.0;           // mm; volume kept: t0 / J, J = |g1 x g2| the area ratio; t0 with constant thickness
+  double fibre_volume_ratio = 1.0;  // fibre volume fraction over that of the flat fabric, t0 / (J t)
+  double fibre_mass_ratio = 1.0;    // fibre mass per area over that of the flat fabric, 1 / J
+};
+
+// A shell of the mesh the states belong to. Of our own cells: as `weaveform export` cuts and numbers them.
+struct StateElement {
+  long number = 0;
+  std::vector<int> node;  // places in FibreField::position
+  Vec3 centre = {};       // mm
+  FibreState state;
+  double distance = 0.0;  // mm; from the formed fabric; 0 on our own cells
+};
+
+struct FibreField {
+  std::vector<Vec3> position;  // mm
+  std::vector<StateElement> element;
+  double flat_thickness = 0.0;                          // mm
+  std::array<Vec3, 2> flat_direction = {};              // unit; warp and weft before forming
+  std::string source;                                   // what was read, for headers
+  double greatest_distance = 0.0, mean_distance = 0.0;  // mm
+  int steep = 0;  // elements that the flat warp direction meets within 5 deg of their normal (drape angles are poor)
+};
+
+// From a solved folder: the last frame. Throws FileError, InputError as post_process does.
+[[nodiscard]] FibreField read_fibre_field(const std::filesystem::path& directory);
+// The same from a mesh and positions in memory.
+[[nodiscard]] FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<Vec3>& position);
+
+// Shells of a structural mesh: .inp, .msh, or .vtu (triangles and quadrilaterals). Throws FileError, InputError.
+[[nodiscard]] ForeignMesh read_structural_mesh(const std::filesystem::path& file);
+
+// Carried onto the shells of another mesh: each takes, at its centre's closest point of the formed fabric, directions
+// and ratios interpolated from means at the nodes, turned into its own plane (nearest unit vectors in it).
+[[nodiscard]] FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure);
+
+}  // namespace weaveform

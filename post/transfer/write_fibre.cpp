@@ -1,0 +1,175 @@
+#include "post/transfer/write_fibre.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkLongArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "mesher/export/gathered.hpp"
+#include "solver/result/whole_file.hpp"
+
+namespace weaveform {
+
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+std::string n20(double value) {
+  return foreign::fit(value, 20);
+}
+
+std::string header(const std::string& mark, const FibreField& field, const std::string& written_by,
+                   const std::vector<std::string>& not_carried) {
+  std::string text = fmt::format("{0} Written by {1}\n{0} Fibre directions of {2}; {3} shells; units mm, deg\n", mark,
+                                 written_by, field.source, field.element.size());
+  if (field.greatest_distance > 0.0)
+    text += fmt::format("{} Distance from the formed fabric: greatest {:.6g} mm, mean {:.6g} mm\n", mark,
+                        field.greatest_distance, field.mean_distance);
+  text += fmt::format("{} Not carried by this format, or carried in part:\n", mark);
+  for (const auto& line : not_carried) text += fmt::format("{}  - {}\n", mark, line);
+  return text;
+}
+
+void add_distribution(const std::string& name, const FibreField& field, bool weft, std::string& out) {
+  out += fmt::format("*DISTRIBUTION, NAME={}, LOCATION=ELEMENT, TABLE=DIRECTIONS\n, 1., 0., 0., 0., 1., 0.\n", name);
+  for (const auto& element : field.element) {
+    const Vec3& a = weft ? element.state.weft : element.state.warp;
+    Vec3 b = weft ? element.state.warp : element.state.weft;
+    if (weft)  // so that 1, 2 and the normal keep their sense
+      for (double& c : b) c = -c;
+    out += fmt::format("{}, {}, {}, {}, {}, {}, {}\n", element.number, n20(a[0]), n20(a[1]), n20(a[2]), n20(b[0]),
+                       n20(b[1]), n20(b[2]));
+  }
+  out += fmt::format("*ORIENTATION, NAME=FIBRE_{}, SYSTEM=RECTANGULAR\n{}\n3, 0.\n", weft ? "WEFT" : "WARP", name);
+}
+
+}  // namespace
+
+FibreText orientation_abaqus(const FibreField& field, const std::string& written_by) {
+  FibreText result;
+  result.not_carried = {"shear angle: between FIBRE_WARP's and FIBRE_WEFT's local 1; as a number only in csv and vtu",
+                        "fibre volume and mass ratios: only in csv and vtu"};
+  std::string& out = result.text;
+  out = header("**", field, written_by, result.not_carried);
+  out += "*DISTRIBUTION TABLE, NAME=DIRECTIONS\nCOORD3D, COORD3D\n";
+  add_distribution("WARP_DIRECTIONS", field, false, out);
+  add_distribution("WEFT_DIRECTIONS", field, true, out);
+  out += "*DISTRIBUTION TABLE, NAME=LENGTHS\nLENGTH\n";
+  out +=
+      fmt::format("*DISTRIBUTION, NAME=THICKNESS, LOCATION=ELEMENT, TABLE=LENGTHS\n, {}\n", n20(field.flat_thickness));
+  for (const auto& element : field.element)
+    out += fmt::format("{}, {}\n", element.number, n20(element.state.thickness));
+  return result;
+}
+
+PlaneAngle angle_in_plane(const FibreField& field, const StateElement& element, const Vec3& reference,
+                          const Vec3& direction) {
+  using Eigen::Vector3d;
+  const auto x = [&](std::size_t k) -> Vector3d {
+    const Vec3& p = field.position[element.node[k]];
+    return {p[0], p[1], p[2]};
+  };
+  const Vector3d normal =
+      (element.node.size() == 4 ? (x(2) - x(0)).cross(x(3) - x(1)) : (x(1) - x(0)).cross(x(2) - x(0))).normalized();
+  const Vector3d r(reference[0], reference[1], reference[2]), d(direction[0], direction[1], direction[2]);
+  const Vector3d base = r - r.dot(normal) * normal;
+  const double least = std::sin(5.0 / degrees);
+  return {std::atan2(normal.dot(base.cross(d)), base.dot(d)), base.norm() >= least};
+}
+
+FibreText drape_openradioss(const FibreField& field, const std::string& written_by) {
+  FibreText result;
+  int steep = 0;
+  std::array<std::string, 2> block;
+  for (std::size_t f = 0; f < 2; ++f) {
+    const Vec3& flat = field.flat_direction[f];
+    for (const auto& element : field.element) {
+      const PlaneAngle found = angle_in_plane(field, element, flat, f == 0 ? element.state.warp : element.state.weft);
+      if (!found.good) ++steep;
+      block[f] += fmt::format("{:<10}{:>10}{:>20}{:>20}\n", element.node.size() == 4 ? "SHELL" : "SH3N", element.number,
+                              foreign::fit(element.state.thickness / field.flat_thickness, 19),
+                              foreign::fit(found.angle * degrees, 19));
+    }
+  }
+  result.not_carried = {"fibre volume and mass ratios, distances: only in csv and vtu"};
+  if (steep > 0)
+    result.not_carried.push_back(
+        fmt::format("{} angles are poor: the flat direction is within 5 deg of the shell's "
+                    "normal there; take the directions from csv or vtu",
+                    steep));
+  const auto direction = [](const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); };
+  result.text = header("#", field, written_by, result.not_carried);
+  for (std::size_t f = 0; f < 2; ++f)
+    result.text += fmt::format(
+        "# Angle from the projection of {} into the shell: the ply's reference direction\n"
+        "/DRAPE/{}\n{}\n#Entity  Entity_ID            Thinning         theta_drape\n{}",
+        direction(field.flat_direction[f]), f + 1, f == 0 ? "warp" : "weft", block[f]);
+  return result;
+}
+
+FibreText fibre_csv(const FibreField& field) {
+  FibreText result;
+  result.text =
+      "element,x_mm,y_mm,z_mm,warp_x,warp_y,warp_z,weft_x,weft_y,weft_z,shear_angle_deg,thickness_mm,"
+      "fibre_volume_ratio,fibre_mass_ratio,distance_mm\n";
+  for (const auto& element : field.element) {
+    const FibreState& s = element.state;
+    result.text += fmt::format("{},{},{},{},{}\n", element.number, fmt::join(element.centre, ","),
+                               fmt::join(s.warp, ","), fmt::join(s.weft, ","),
+                               fmt::format("{},{},{},{},{}", s.shear_angle * degrees, s.thickness, s.fibre_volume_ratio,
+                                           s.fibre_mass_ratio, element.distance));
+  }
+  return result;
+}
+
+void write_fibre_vtu(const FibreField& field, const std::filesystem::path& file) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& x : field.position) points->InsertNextPoint(x.data());
+  grid->SetPoints(points);
+  vtkNew<vtkLongArray> number;
+  number->SetName("element");
+  const auto array = [&](const char* name, int components) {
+    auto made = vtkSmartPointer<vtkDoubleArray>::New();
+    made->SetName(name);
+    made->SetNumberOfComponents(components);
+    return made;
+  };
+  const auto warp = array("warp_direction", 3), weft = array("weft_direction", 3), angle = array("shear_angle_deg", 1),
+             thickness = array("thickness_mm", 1), volume = array("fibre_volume_ratio", 1),
+             mass = array("fibre_mass_ratio", 1), distance = array("distance_mm", 1);
+  for (const auto& element : field.element) {
+    vtkIdType ids[4] = {};
+    for (std::size_t k = 0; k < element.node.size(); ++k) ids[k] = element.node[k];
+    grid->InsertNextCell(element.node.size() == 4 ? VTK_QUAD : VTK_TRIANGLE,
+                         static_cast<vtkIdType>(element.node.size()), ids);
+    const FibreState& s = element.state;
+    number->InsertNextValue(element.number);
+    warp->InsertNextTuple(s.warp.data());
+    weft->InsertNextTuple(s.weft.data());
+    angle->InsertNextValue(s.shear_angle * degrees);
+    thickness->InsertNextValue(s.thickness);
+    volume->InsertNextValue(s.fibre_volume_ratio);
+    mass->InsertNextValue(s.fibre_mass_ratio);
+    distance->InsertNextValue(element.distance);
+  }
+  grid->GetCellData()->AddArray(number);
+  for (const auto& data : {warp, weft, angle, thickness, volume, mass, distance}) grid->GetCellData()->AddArray(data);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  write_vtk_whole(file, *writer);
+}
+
+}  // namespace weaveform
