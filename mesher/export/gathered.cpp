@@ -138,8 +138,9 @@ void list_mesh(const Mesh& mesh, std::vector<std::string>& lines) {
       "masses: lumped from density and section by the other code; the shifts near the outline that keep "
       "Weaveform's step, and any mass of its own choice, are lost");
   if (!mesh.nodes.flat_position.empty())
-    lines.push_back("draped start: nodes are written where they start; another code takes that shape, its lengths and "
-                    "its angles for unstrained, and the flat blank is lost");
+    lines.push_back(
+        "draped start: nodes are written where they start; another code takes that shape, its lengths and "
+        "its angles for unstrained, and the flat blank is lost");
   if (mesh.frame.present())
     lines.push_back("shear frame: its members and hinges are not written; its corners are the node set frame_corners");
 }
