@@ -440,8 +440,8 @@ ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const C
     throw InputError(
         fmt::format("{}: a shear frame ([frame]) is built around the blank by 'weaveform mesh' only", scene.file));
   if (scene.drape)
-    throw InputError(fmt::format("{}: a draped start ([drape]) is made by 'weaveform mesh' only; import a flat blank",
-                                 scene.file));
+    throw InputError(
+        fmt::format("{}: a draped start ([drape]) is made by 'weaveform mesh' only; import a flat blank", scene.file));
   Recovery work{file, scene, card};
   work.choose_elements();
   work.find_directions();

@@ -101,7 +101,7 @@ TEST(Scene, EchoHoldsEveryKeyWithAValue) {
   for (const auto& key : scene_keys()) {
     if (key.table.rfind("tools", 0) == 0) continue;  // a tool echoes the keys of its own shape
     if (key.name == "corners" || key.name == "outline" || key.name == "on_roll") continue;  // of other blanks
-    if (key.table == "drape") continue;              // not together with a frame; drape_test.cpp
+    if (key.table == "drape") continue;  // not together with a frame; drape_test.cpp
     EXPECT_NE(echo.find("\n" + key.name + " = "), std::string::npos) << key.name;
   }
 }
