@@ -8,7 +8,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkSignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
@@ -104,7 +104,7 @@ void write_wrinkles(const Forming& forming, const Mesh& mesh, const Fields& fiel
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> relief, curvature, gap;
-  vtkNew<vtkUnsignedCharArray> wrinkled, folded;
+  vtkNew<vtkSignedCharArray> wrinkled, folded;
   relief->SetName("wrinkle_relief_mm");
   curvature->SetName("wrinkle_curvature_per_mm");
   gap->SetName("contact_gap_mm");

@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkSignedCharArray.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -92,7 +93,8 @@ struct FrameWriter::Grid {
   vtkDoubleArray *thickness = nullptr, *areal_weight = nullptr;
   vtkFloatArray *warp = nullptr, *weft = nullptr;
   vtkUnsignedCharArray* folded = nullptr;
-  vtkUnsignedCharArray *contact_tool = nullptr, *contact_count = nullptr, *friction = nullptr;  // null without tools
+  // signed: viewers take unsigned bytes for colours
+  vtkSignedCharArray *contact_tool = nullptr, *contact_count = nullptr, *friction = nullptr;  // null without tools
   vtkDoubleArray *contact_force = nullptr, *contact_gap = nullptr;
   vtkDoubleArray *contact_pressure = nullptr, *contact_share = nullptr;
   CellsBeside beside;
@@ -126,11 +128,11 @@ struct FrameWriter::Grid {
   void add_contact(const Mesh& mesh, const std::vector<std::string>& tools) {
     vtkFieldData &points = *grid->GetPointData(), &elements = *grid->GetCellData();
     const vtkIdType nodes = mesh.node_count(), count = mesh.yarn_count() + mesh.cells.size();
-    contact_tool = add_array<vtkUnsignedCharArray>(points, "contact_tool", 1, nodes);
-    contact_count = add_array<vtkUnsignedCharArray>(points, "contact_count", 1, nodes);
+    contact_tool = add_array<vtkSignedCharArray>(points, "contact_tool", 1, nodes);
+    contact_count = add_array<vtkSignedCharArray>(points, "contact_count", 1, nodes);
     contact_force = add_array<vtkDoubleArray>(points, "contact_force_N", 1, nodes);
     contact_gap = add_array<vtkDoubleArray>(points, "contact_gap_mm", 1, nodes);
-    friction = add_array<vtkUnsignedCharArray>(points, "friction_state", 1, nodes);
+    friction = add_array<vtkSignedCharArray>(points, "friction_state", 1, nodes);
     contact_pressure = add_array<vtkDoubleArray>(elements, "contact_pressure_MPa", 1, count);
     contact_share = add_array<vtkDoubleArray>(elements, "contact_share", 1, count);
     vtkNew<vtkStringArray> names;
@@ -177,9 +179,9 @@ struct FrameWriter::Grid {
 
   void fill_contact(const Mesh& mesh, const ContactState& contact) {
     for (int node = 0; node < mesh.node_count(); ++node) {
-      contact_tool->SetValue(node, static_cast<unsigned char>(contact.tool[node]));
-      contact_count->SetValue(node, static_cast<unsigned char>(contact.count[node]));
-      friction->SetValue(node, static_cast<unsigned char>(contact.friction[node]));
+      contact_tool->SetValue(node, static_cast<signed char>(contact.tool[node]));
+      contact_count->SetValue(node, static_cast<signed char>(contact.count[node]));
+      friction->SetValue(node, static_cast<signed char>(contact.friction[node]));
       contact_force->SetValue(node, contact.force[node]);
       contact_gap->SetValue(node, contact.gap[node]);
     }
