@@ -122,8 +122,12 @@ GripRegions grip_regions(const Scene& scene, const Outline& outline, const Turn&
       for (const auto& edge : outline.edge)
         if (edge.name == grip.edge) region.edge.push_back(edge);
       if (region.edge.empty())
-        complaints.push_back(fmt::format("grip '{}': the blank has no edge '{}'; its edges are: {}", grip.name,
-                                         grip.edge, edge_names(outline)));
+        complaints.push_back(edge_names(outline).empty()
+                                 ? fmt::format("grip '{}': a {} has no edges with names; give the grip a 'box' instead",
+                                               grip.name,
+                                               scene.blank.shape == "file" ? "blank from a file" : scene.blank.shape)
+                                 : fmt::format("grip '{}': the blank has no edge '{}'; its edges are: {}", grip.name,
+                                               grip.edge, edge_names(outline)));
     }
     region.end = held_ends(held_pieces(region, outline, grips), tolerance);
     grips.region.push_back(region);

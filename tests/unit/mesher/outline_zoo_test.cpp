@@ -152,6 +152,19 @@ TEST(OutlineZoo, ACrossHasYarnsInItsArmsAndCellsInItsMiddle) {
       }
 }
 
+TEST(OutlineZoo, AShapeWithoutNamedEdgesAsksForABox) {
+  Scene scene = shaped("disc", {150.0, 150.0});
+  scene.grip = {lattice_zoo::grip_on("bottom")};
+  try {
+    static_cast<void>(build_mesh(scene, plain_weave()));
+    FAIL() << "a disc has no bottom";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("a disc has no edges with names; give the grip a 'box'"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 // Two blanks cut from one roll: every yarn of the second lies a whole number of intervals from those of the first.
 TEST(OutlineZoo, BlanksOfOneRollShareTheirYarns) {
   const Card card = plain_weave();
