@@ -130,15 +130,24 @@ std::vector<int> pieces_of(const TriangleList& list, int& count) {
   return piece;
 }
 
-void find_intersections(const TriangleList& list, TriangleReport& report) {
+// Triangles with an area, all turned alike.
+struct Soup {
   std::vector<Kernel::Point_3> points;
-  for (const auto& p : list.point) points.emplace_back(p[0], p[1], p[2]);
   std::vector<std::vector<std::size_t>> polygons;
+};
+Soup oriented_soup(const TriangleList& list) {
+  Soup soup;
+  for (const auto& p : list.point) soup.points.emplace_back(p[0], p[1], p[2]);
   for (const auto& t : list.triangle)
     if (length(doubled_area(list, t)) > 0.0)
-      polygons.push_back(
+      soup.polygons.push_back(
           {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
-  pmp::orient_polygon_soup(points, polygons);
+  pmp::orient_polygon_soup(soup.points, soup.polygons);
+  return soup;
+}
+
+void find_intersections(const TriangleList& list, TriangleReport& report) {
+  auto [points, polygons] = oriented_soup(list);
   SurfaceMesh mesh;
   pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
@@ -223,14 +232,7 @@ TriangleList turned_over(TriangleList list) {
 }
 
 TriangleList turned_alike(const TriangleList& list, const Point3& outside) {
-  std::vector<Kernel::Point_3> points;
-  for (const auto& p : list.point) points.emplace_back(p[0], p[1], p[2]);
-  std::vector<std::vector<std::size_t>> polygons;
-  for (const auto& t : list.triangle)
-    if (length(doubled_area(list, t)) > 0.0)
-      polygons.push_back(
-          {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
-  pmp::orient_polygon_soup(points, polygons);
+  auto [points, polygons] = oriented_soup(list);
   TriangleList result;
   for (const auto& p : points) result.point.push_back({p.x(), p.y(), p.z()});
   for (const auto& p : polygons)
