@@ -10,6 +10,7 @@
 #include "post/measure/bias_comparison.hpp"
 #include "post/output/contours.hpp"
 #include "post/output/summary.hpp"
+#include "post/trust/warnings.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform {
@@ -58,6 +59,7 @@ std::string post_process(const fs::path& directory) {
     summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
   summary.forming = evaluate_forming(scene, mesh, end, history);
   if (summary.forming) write_forming(*summary.forming, mesh, end, directory);
+  summary.warning = warnings({scene, card, mesh, end, history, summary});
   write_summary(summary, directory / "summary.json");
   return summary_table(summary);
 }

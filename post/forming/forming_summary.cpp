@@ -130,11 +130,6 @@ std::string forming_table(const Forming& forming) {
       100.0 * forming.wrinkles.area_share, forming.wrinkle_limits.relief(thickness),
       forming.wrinkle_limits.curvature(thickness), forming.wrinkles.greatest_relief,
       forming.wrinkles.greatest_curvature);
-  if (forming.wrinkles.area_share > 0.0 && !forming.has_bending)
-    lines +=
-        "        the model has no bending stiffness: where it wrinkles the folds are as short as its cells and grow "
-        "with\n"
-        "        refinement; believe that it wrinkles, not how, and set model.cell = \"rotation-free\" or \"shell\"\n";
   lines += fmt::format("thick   {:.4f} to {:.4f} mm, flat {:.4f}\n", forming.thinnest, forming.thickest, thickness);
   if (forming.sphere_net) lines += sphere_lines(*forming.sphere_net);
   return lines;

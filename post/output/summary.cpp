@@ -120,6 +120,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& file) {
   }
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);
   if (summary.forming) json["forming"] = forming_json(*summary.forming);
+  json["warnings"] = summary.warning;
   write_text_whole(file, json.dump(2) + "\n");
 }
 

@@ -36,6 +36,7 @@ struct Summary {
   std::vector<MeasureSummary> measure;
   std::optional<BiasComparison> bias;  // when the scene is a bias extension
   std::optional<Forming> forming;      // when the scene has tools
+  std::vector<std::string> warning;    // what the run says against itself (post/trust/warnings.hpp)
 };
 
 // Grips, tools and measures of the scene at the history's last row. Throws InputError when the history has no row or
@@ -46,7 +47,7 @@ struct Summary {
 
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
 // "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
-// scene with tools "forming". Throws FileError.
+// scene with tools "forming"; "warnings", a list of lines. Throws FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);
 [[nodiscard]] std::string summary_table(const Summary& summary);
 

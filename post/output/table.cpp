@@ -154,6 +154,8 @@ std::string summary_table(const Summary& summary) {
   text += tool_lines(summary);
   if (summary.forming) text += forming_table(*summary.forming);
   if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);
+  if (!summary.warning.empty()) text += "\n";
+  for (const std::string& line : summary.warning) text += "warning " + line + "\n";
   return text;
 }
 

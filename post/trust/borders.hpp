@@ -1,0 +1,16 @@
+// The borders, one file each; a border adds its line when the run is beyond it. Each is pinned on both sides by a test of
+// the same name (tests/verify/stability_*_test.cpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "post/trust/warnings.hpp"
+
+namespace weaveform {
+
+using Warnings = std::vector<std::string>;
+
+void warn_of_folds_of_the_mesh(const FinishedRun& run, Warnings& warnings);
+
+}  // namespace weaveform

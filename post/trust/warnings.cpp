@@ -1,0 +1,13 @@
+#include "post/trust/warnings.hpp"
+
+#include "post/trust/borders.hpp"
+
+namespace weaveform {
+
+std::vector<std::string> warnings(const FinishedRun& run) {
+  Warnings all;
+  warn_of_folds_of_the_mesh(run, all);
+  return all;
+}
+
+}  // namespace weaveform

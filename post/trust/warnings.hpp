@@ -1,0 +1,29 @@
+// What a finished run says against itself: the borders of docs/stability.md that its own numbers show to be crossed.
+// A border that ends a run (energy balance, torn yarns, lost contact) is an error of the solver and never gets here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/material/card.hpp"
+#include "mesher/mesh/mesh.hpp"
+#include "post/output/summary.hpp"
+#include "solver/result/fields.hpp"
+#include "solver/result/result.hpp"
+
+namespace weaveform {
+
+// The finished run: what was asked, with what, and what came out.
+struct FinishedRun {
+  const Scene& scene;
+  const Card& card;
+  const Mesh& mesh;
+  const Fields& end;
+  const History& history;
+  const Summary& summary;
+};
+
+// One line each: what is wrong, the number against its border, what to do. Empty when nothing is.
+[[nodiscard]] std::vector<std::string> warnings(const FinishedRun& run);
+
+}  // namespace weaveform
