@@ -77,7 +77,7 @@ void elements(benchmark::State& bench, const std::string& yarn, const std::strin
   const std::vector<char> free(lattice.mesh.node_count(), 0);
   const CriticalStep critical(lattice.mesh, lattice.card, laws, model, free);
   const auto position = mesh_positions(lattice.packed, lattice.state);
-  const double fabric_step = critical(position).step;
+  const double fabric_step = critical(position, critical.stiffest(every_strain)).step;
   FabricForces forces(lattice.packed, lattice.card, laws, model, lattice.state, 1);
   const Flexure flexure = choose_flexure(lattice.card, model);
   std::vector<std::unique_ptr<ForceTerm>> terms;
@@ -87,7 +87,7 @@ void elements(benchmark::State& bench, const std::string& yarn, const std::strin
     terms.push_back(std::make_unique<Shell>(lattice.mesh, lattice.packed, lattice.card, flexure, free, lattice.state,
                                             Shell::Setup{fabric_step, 1.0, 1}));
   std::vector<double> further(lattice.mesh.node_count(), 0.0);
-  for (const auto& term : terms) term->add_stiffness_bound(position, further);
+  for (const auto& term : terms) term->add_stiffness_bound(position, 0.0, further);
   Motion motion(lattice.packed, 1.0, 1);
   std::vector<Grip> no_grips;
   const std::vector<double> none;

@@ -116,9 +116,13 @@ struct DrapeSpec {
 };
 
 struct AnalysisSpec {
-  Auto duration;                 // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
-  Auto loading_speed;            // mm/s; greatest speed of any grip; an alternative to duration
-  double step_factor = 0.9;      // fraction of the stable step
+  Auto duration;                        // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
+  Auto loading_speed;                   // mm/s; greatest speed of any grip; an alternative to duration
+  double step_factor = 0.9;             // fraction of the stable step
+  std::string step_bound = "stiffest";  // "stiffest": the stable step is that of the yarns' stiffest tangent;
+                                        // "reached": of the stiffest they have reached (solver/motion/reach.hpp)
+  double mass_scale = 1.0;       // factor on the fabric's mass, not on its weight
+  Auto contact_stiffness;        // 1; factor on the contact springs of the tools; auto: 1, "reached" 0.5
   bool step_check = true;        // stop when the step is above the stable one
   Auto damping;                  // 1/s; mass-proportional; auto: chosen from the duration
   double yarn_viscosity = 0.06;  // 1; fraction of critical damping of the yarn elements' highest frequency

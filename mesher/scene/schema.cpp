@@ -229,12 +229,12 @@ const std::vector<Key<ToolSpec>> tool_keys = {
                            .doc = "pushes the tool along `direction`, all of it after the first 3 % of the duration; "
                                   "it moves as the fabric lets it, along "
                                   "`direction` only"}),
-    key<&ToolSpec::mass>({.name = "mass",
-                          .unit = "tonne",
-                          .limits = above(0),
-                          .doc =
-                              "of a tool pushed by a force; auto: that of the blank, which neither sets the step nor "
-                              "lags behind it"}),
+    key<&ToolSpec::mass>(
+        {.name = "mass",
+         .unit = "tonne",
+         .limits = above(0),
+         .doc = "of a tool pushed by a force; auto: that of the blank, four times that with `step_bound = "
+                "\"reached\"`, which neither sets the step nor lags behind it"}),
     key<&ToolSpec::damping>(
         {.name = "damping",
          .unit = "1/s",
@@ -299,6 +299,27 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
                 "yarns that jump between tension and slackness from making energy out of rounding noise"}),
     key<&AnalysisSpec::step_factor>(
         {.name = "step_factor", .unit = "1", .limits = above(0, 4), .doc = "fraction of the stable step"}),
+    key<&AnalysisSpec::step_bound>(
+        {.name = "step_bound",
+         .allowed = {"stiffest", "reached"},
+         .doc =
+             "stiffness of the yarns that the stable step is taken from: `stiffest`, the law's greatest up to a true "
+             "strain of 0.5; `reached`, the greatest at strains that yarns have reached so far, watched at every "
+             "step: two to three times fewer steps where they decrimp (docs/accuracy.md)"}),
+    key<&AnalysisSpec::mass_scale>(
+        {.name = "mass_scale",
+         .unit = "1",
+         .limits = above(0, 1e6),
+         .doc =
+             "factor on the fabric's mass, not on its weight: above 1 the step grows with its root, and inertia with "
+             "it, as if loaded that much faster; the mass added is in the summary"}),
+    key<&AnalysisSpec::contact_stiffness>(
+        {.name = "contact_stiffness",
+         .unit = "1",
+         .limits = above(0, 1),
+         .doc = "factor on the stiffness of contact: below 1 the fabric sinks further into the tools (the greatest "
+                "penetration is in the summary), and contact takes less of the step; auto: 1, and 0.5 with "
+                "`step_bound = \"reached\"`"}),
     key<&AnalysisSpec::step_check>({.name = "step_check", .doc = "stop when the step is above the stable one"}),
     key<&AnalysisSpec::damping>(
         {.name = "damping",

@@ -315,7 +315,8 @@ double LatticeBending::stored_energy() const {
          twist_energy(p.twist_cells, p.flexure.twist, p.mesh.spacing, position);
 }
 
-void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const {
+void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabric_frequency*/,
+                                         std::vector<double>& bound) const {
   const auto& p = *parts_;
   const auto distance = [&](int a, int b) {
     return std::hypot(position[b][0] - position[a][0], position[b][1] - position[a][1],

@@ -116,6 +116,7 @@ struct Shell::Parts {
   Doubles inertia, inverse_inertia;  // tonne mm^2; inverse 0 where clamped
   std::vector<std::array<double, 8>> sums;
   double scale = 1.0;
+  double longest_step = 0.0;  // s; what the inertia was made for
   double step_before = 0.0, kinetic = 0.0, damping_work = 0.0, power_before = 0.0;
 
   Parts(const Mesh& m, const PackedMesh& p, const Card& fabric, const Flexure& chosen, const State& s,
@@ -201,6 +202,7 @@ struct Shell::Parts {
   }
 
   void set_inertia(const std::vector<char>& clamped, double fabric_step) {
+    longest_step = fabric_step;
     std::vector<double> area(mesh.node_count(), 0.0);  // both families cover it once
     for (const auto& edge : edges)
       for (const int n : edge.node) area[n] += 0.25 * edge.yarns * card.yarn[edge.family].interval * edge.rest_length;
@@ -395,7 +397,12 @@ double Shell::inertia_scale() const {
 }
 
 // gamma = slope - rotation: both sides count twice. |slope| <= |u|/L each.
-void Shell::add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const {
+double Shell::longest_step() const {
+  return parts_->longest_step;
+}
+
+void Shell::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabric_frequency*/,
+                                std::vector<double>& bound) const {
   const auto& p = *parts_;
   for (const auto& edge : p.edges) {
     const auto &a = position[edge.node[0]], &b = position[edge.node[1]];

@@ -29,7 +29,9 @@ public:
   [[nodiscard]] double stored_energy() const override;
   [[nodiscard]] double kinetic_energy() const override;
   [[nodiscard]] double dissipated() const override;
-  void add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const override;
+  void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
+                           std::vector<double>& bound) const override;
+  [[nodiscard]] double longest_step() const override;
   [[nodiscard]] std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
 

@@ -19,6 +19,10 @@ double dot(const Vec3& a, const Vec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+double stiffness_factor(const AnalysisSpec& analysis) {
+  return analysis.contact_stiffness.value_or(analysis.step_bound == "reached" ? contact_stiffness_reached : 1.0);
+}
+
 // A cell's area goes to its nodes in equal parts.
 Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
   Doubles area(packed.nodes, 0.0);
@@ -78,9 +82,10 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
       threads_(threads),
       thickness_(mesh.thickness),
       least_spacing_(std::min(mesh.spacing[0], mesh.spacing[1])),
-      frequency_(std::sqrt(contact_stiffness_share) * 2.0 / fabric_step),
+      frequency_(std::sqrt(contact_stiffness_share * stiffness_factor(scene.analysis)) * 2.0 / fabric_step),
       fabric_frequency_(2.0 / fabric_step),
       parts_(mesh.symmetry.parts()),
+      tool_mass_scale_(scene.analysis.step_bound == "reached" ? tool_mass_reached : 1.0),
       mass_(packed.nodes, 0.0),
       area_(node_areas(mesh, packed)),
       mesh_of_packed_(packed.nodes, -1) {
@@ -105,7 +110,7 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
 
 Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, double duration,
                                        const State& start) const {
-  const double mass = spec.mass.value_or(blank_mass_);
+  const double mass = spec.mass.value_or(tool_mass_scale_ * blank_mass_);
   // k (u - U)^2 <= (1 + e) k u^2 + (1 + 1/e) k U^2: the tool's share must stay below the fabric's greatest omega^2
   const double least_mass =
       (1.0 + 1.0 / coupling_split) * frequency_ * frequency_ * blank_mass_ / (fabric_frequency_ * fabric_frequency_);
@@ -338,15 +343,28 @@ double Contact::external_work() const {
 
 // A node may touch two tools at once (binder and die). Damping that acts on velocities half a step behind shortens the
 // stable step like a stiffness: (sqrt(1 + z^2) - z) with z = c/(2 m w) is that of w^2 + c w/m to first order; w is the
-// fabric's greatest, which grows by sqrt(2) at most as it shears (critical_step.hpp).
-void Contact::add_stiffness_bound(const std::vector<Vec3>& /*position*/, std::vector<double>& bound) const {
+// greatest of fabric and contact.
+void Contact::add_stiffness_bound(const std::vector<Vec3>& /*position*/, double fabric_frequency,
+                                  std::vector<double>& bound) const {
+  const double greatest = std::hypot(fabric_frequency, std::sqrt(2.0) * frequency_);
   std::vector<double> rates;  // 1/s^2
   for (const auto& partner : partners_)
     rates.push_back((partner.motion.pushed() ? 1.0 + coupling_split : 1.0) * partner.law.frequency2 +
-                    partner.law.damping_rate * std::sqrt(2.0) * fabric_frequency_);
+                    partner.law.damping_rate * greatest);
   std::sort(rates.rbegin(), rates.rend());
   const double rate = rates.front() + (rates.size() > 1 ? rates[1] : 0.0);
   for (std::size_t n = 0; n < bound.size(); ++n) bound[n] += rate * mass_[packed_.packed_of_mesh[n]];
+}
+
+// The tool's part of k (u - U)^2, see make_partner, with the damping of all nodes counted as above.
+double Contact::longest_step() const {
+  double greatest = 0.0;  // 1/s^2
+  for (const auto& partner : partners_) {
+    if (!partner.motion.pushed()) continue;
+    const double share = (1.0 + 1.0 / coupling_split) * blank_mass_ / partner.motion.mass();
+    greatest = std::max(greatest, share * partner.law.frequency2 * (1.0 + 2.0 * contact_damping));
+  }
+  return 2.0 / std::sqrt(greatest);
 }
 
 Contact::Cost Contact::cost() const {

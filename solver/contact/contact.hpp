@@ -32,6 +32,10 @@ namespace weaveform {
 // h and tool radius R, with s = 4 * share the stiffness against that of a yarn element: at 1 % strain less than half of
 // what its chord cuts off the circle anyway, h^2/(8 R), and like that a matter of h^2.
 inline constexpr double contact_stiffness_share = 0.05;
+// Where the step follows the strains that yarns reach (reach.hpp), contact as stiff as that, and tools as light as the
+// blank, would set it. Half the stiffness sinks a node in by as much as its chord cuts off; four times the blank's mass
+// still follows at a hundred times the speed of a forming process.
+inline constexpr double contact_stiffness_reached = 0.5, tool_mass_reached = 4.0;
 inline constexpr double contact_damping = 0.1;     // of critical, of a node on its contact spring
 inline constexpr double contact_softening = 0.02;  // of the thickness: the depth over which the normal force sets in
 
@@ -50,7 +54,10 @@ public:
   [[nodiscard]] double kinetic_energy() const override;
   [[nodiscard]] double dissipated() const override;
   [[nodiscard]] double external_work() const override;
-  void add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const override;
+  void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
+                           std::vector<double>& bound) const override;
+  // Of the lightest pushed tool on the springs of all nodes.
+  [[nodiscard]] double longest_step() const override;
   [[nodiscard]] std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
 
@@ -110,6 +117,7 @@ private:
   double fabric_frequency_;  // 1/s; the fabric's greatest
   double blank_mass_ = 0.0;  // tonne
   int parts_;                // of which this is one: the mesh's symmetry
+  double tool_mass_scale_;   // 1; mass of a pushed tool over the blank's, unless the scene gives it
   Doubles mass_;             // tonne; 0 where no node is
   Doubles area_;             // mm^2; of the fabric around each node
   std::vector<int> mesh_of_packed_;

@@ -33,6 +33,7 @@ public:
   void add_travel_work(double reaction_before, double reaction);
 
   [[nodiscard]] bool pushed() const { return force_.has_value(); }
+  [[nodiscard]] double mass() const { return mass_; }                        // tonne
   [[nodiscard]] double displacement() const { return state_.displacement; }  // mm
   [[nodiscard]] double velocity() const { return state_.velocity; }          // mm/s
   [[nodiscard]] double kinetic_energy(double time, double reaction) const;   // mJ; at the time of the last advance

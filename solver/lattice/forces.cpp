@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesher/base/error.hpp"
 #include "solver/element/sheared_start.hpp"
@@ -87,8 +88,10 @@ struct FabricForces::Kernels {
   ShearLawShape shear;
   std::array<YarnKernels, 2> yarn;
   std::array<double, 2> viscosity = {0.0, 0.0};  // MPa s
-  std::vector<double> row_power;  // mJ/s; per row, so that its sum has one order for any number of threads
-  double viscous_power = 0.0;     // mJ/s
+  double look_ahead = 0.0;                       // s
+  // per row, so that sums have one order for any number of threads
+  std::array<std::vector<YarnSums>, 2> row_sums;  // warp, weft
+  std::array<YarnSums, 2> sums;                   // of all yarns in the last call
   bool has_history;
   CellKernels cell{};
   HistoryCellKernels history_cell{};
@@ -105,7 +108,7 @@ struct FabricForces::Kernels {
         thickness(card.thickness),
         yarn_law{shape_yarn_law(yarn_laws[0], "warp"), shape_yarn_law(yarn_laws[1], "weft")},
         shear(shape_shear_law(card.shear)),
-        row_power(packed_mesh.rows, 0.0),
+        row_sums{std::vector<YarnSums>(packed_mesh.rows), std::vector<YarnSums>(packed_mesh.rows)},
         has_history(model.formulation == "incremental" || model.formulation == "side-frame"),
         warp_runs(padded_runs(packed_mesh.warp_runs)),
         weft_runs(padded_runs(packed_mesh.weft_runs)),
@@ -193,6 +196,12 @@ struct FabricForces::Kernels {
     return rows;
   }
 
+  static void add(YarnSums& sum, const YarnSums& more) {
+    sum.power += more.power;
+    sum.shortest = std::min(sum.shortest, more.shortest);
+    sum.longest = std::max(sum.longest, more.longest);
+  }
+
   static std::array<double*, 3> pointers(RowVectors& buffers) {
     return {buffers[0].data(), buffers[1].data(), buffers[2].data()};
   }
@@ -202,8 +211,8 @@ struct FabricForces::Kernels {
     const RowPair rows = row_pair(state.position, j, 1, j), velocity = row_pair(state.velocity, j, 1, j);
     const double* area = packed.warp_section.data() + static_cast<std::size_t>(j) * packed.stride;
     for (int r = warp_runs.first[j]; r < warp_runs.first[j + 1]; ++r)
-      row_power[j] += yarn[0].row(yarn_law[0].pointer(), rows, velocity, packed.spacing[0], viscosity[0], area,
-                                  warp_runs.run[r].begin, warp_runs.run[r].end, t);
+      add(row_sums[0][j], yarn[0].row(yarn_law[0].pointer(), rows, velocity, packed.spacing[0], viscosity[0],
+                                      look_ahead, area, warp_runs.run[r].begin, warp_runs.run[r].end, t));
   }
 
   // Weft elements and cells between rows j and j+1.
@@ -216,10 +225,10 @@ struct FabricForces::Kernels {
     const auto offset = static_cast<std::size_t>(j) * packed.stride;
     double* const t[3] = {s.across[0].data(), s.across[1].data(), s.across[2].data()};
     for (int r = weft_runs.first[j]; r < weft_runs.first[j + 1]; ++r) {
-      const double power =
-          yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1],
+      const YarnSums found =
+          yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1], look_ahead,
                       packed.weft_section.data() + offset, weft_runs.run[r].begin, weft_runs.run[r].end, t);
-      if (!foreign) row_power[j] += power;
+      if (!foreign) add(row_sums[1][j], found);
     }
     const CellRowOutput out{{s.p[0].data(), s.p[1].data(), s.p[2].data()},
                             {s.q[0].data(), s.q[1].data(), s.q[2].data()}};
@@ -251,7 +260,7 @@ struct FabricForces::Kernels {
     for (int j = first; j < last; ++j) {
       const Run range = reach(j);
       for (auto& buffer : s.along) buffer.clear(range);
-      row_power[j] = 0.0;
+      for (auto& family : row_sums) family[j] = {};
       along_row(state, j, s);
       between_rows(state, j, range, s);
       for (int c = 0; c < 3; ++c)
@@ -266,10 +275,10 @@ struct FabricForces::Kernels {
     const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
     const double* const v[3] = {state.velocity[0].data(), state.velocity[1].data(), state.velocity[2].data()};
     double* const t[3] = {force[0].data(), force[1].data(), force[2].data()};
-    viscous_power += yarn[family].loose(yarn_law[family].pointer(),
-                                        {yarns.size(), yarns.node0.data(), yarns.node1.data(), yarns.length.data(),
-                                         yarns.jaw.data(), yarns.section.data()},
-                                        viscosity[family], x, v, t);
+    add(sums[family], yarn[family].loose(yarn_law[family].pointer(),
+                                         {yarns.size(), yarns.node0.data(), yarns.node1.data(), yarns.length.data(),
+                                          yarns.jaw.data(), yarns.section.data()},
+                                         viscosity[family], look_ahead, x, v, t));
     for (int c = 0; c < 3; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < yarns.size(); ++e) {
@@ -312,8 +321,10 @@ void FabricForces::compute(State& state) {
 #pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
   for (int b = 0; b < blocks; ++b) k.lattice_block(state, k.block[b], k.block[b + 1], k.scratch[b]);
   for (int c = 0; c < 3; ++c) std::fill(state.force[c].begin() + k.packed.lattice_nodes(), state.force[c].end(), 0.0);
-  k.viscous_power = 0.0;
-  for (const double power : k.row_power) k.viscous_power += power;
+  for (int f = 0; f < 2; ++f) {
+    k.sums[f] = {};
+    for (const YarnSums& row : k.row_sums[f]) k.add(k.sums[f], row);
+  }
   for (int f = 0; f < 2; ++f) k.loose_yarn_forces(state, f);
   k.loose_cell_forces(state);
   if (k.has_history) {
@@ -326,8 +337,21 @@ void FabricForces::set_viscosity(const std::array<double, 2>& viscosity) {
   kernels_->viscosity = viscosity;
 }
 
+void FabricForces::set_look_ahead(double time) {
+  kernels_->look_ahead = time;
+}
+
+std::array<StrainRange, 2> FabricForces::strains() const {
+  constexpr double least = 1e-6;  // a yarn that would come to nothing, or beyond
+  std::array<StrainRange, 2> strains;
+  for (int f = 0; f < 2; ++f)
+    strains[f] = {0.5 * std::log(std::max(least, kernels_->sums[f].shortest)),
+                  0.5 * std::log(kernels_->sums[f].longest)};
+  return strains;
+}
+
 double FabricForces::viscous_power() const {
-  return kernels_->viscous_power;
+  return kernels_->sums[0].power + kernels_->sums[1].power;
 }
 
 double FabricForces::cell_work() const {

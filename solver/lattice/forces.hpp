@@ -8,6 +8,7 @@
 
 #include "mesher/material/card.hpp"
 #include "mesher/scene/scene.hpp"
+#include "solver/element/strain_range.hpp"
 #include "solver/lattice/packed.hpp"
 #include "solver/lattice/state.hpp"
 
@@ -30,6 +31,12 @@ public:
   // Sets state.force from state.position and, with viscosity, state.velocity (N; all nodes).
   // Cells with a history move on with every call.
   void compute(State& state);
+
+  // s; how far ahead strains() looks. 0 until set.
+  void set_look_ahead(double time);
+  // True strains that the yarns of each family, warp and weft, had in the last call, or come to within the look-ahead
+  // at the rate they had; zero strain is among them.
+  [[nodiscard]] std::array<StrainRange, 2> strains() const;
 
   // mJ/s; power of the yarns' viscosity in the last call.
   [[nodiscard]] double viscous_power() const;

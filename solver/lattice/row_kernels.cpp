@@ -5,22 +5,33 @@
 namespace weaveform {
 namespace {
 
+// The least and greatest (L/L0)^2 of this yarn and those before it, now and ahead; padding has no section and does not
+// count.
+[[gnu::always_inline]] inline void hold(double now, double coming, double section, double& shortest, double& longest) {
+  const double less = now < coming ? now : coming, more = now < coming ? coming : now;
+  const double low = section > 0.0 ? less : 1.0, high = section > 0.0 ? more : 1.0;
+  shortest = low < shortest ? low : shortest;
+  longest = high > longest ? high : longest;
+}
+
 template <Section section, class Law>
-double yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& velocity, double rest, double viscosity,
-                const double* area, int begin, int end, double* const (&t)[3]) {
+YarnSums yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& velocity, double rest, double viscosity,
+                  double ahead, const double* area, int begin, int end, double* const (&t)[3]) {
   const Law law = *static_cast<const Law*>(law_pointer);
   const double *ax = rows.a[0], *ay = rows.a[1], *az = rows.a[2];
   const double *bx = rows.b[0], *by = rows.b[1], *bz = rows.b[2];
   const double *avx = velocity.a[0], *avy = velocity.a[1], *avz = velocity.a[2];
   const double *bvx = velocity.b[0], *bvy = velocity.b[1], *bvz = velocity.b[2];
   double *tx = t[0], *ty = t[1], *tz = t[2];
-  double power = 0.0;
-#pragma omp simd reduction(+ : power)
+  const double inverse_square = 1.0 / (rest * rest);
+  double power = 0.0, shortest = 1.0, longest = 1.0;
+#pragma omp simd reduction(+ : power) reduction(min : shortest) reduction(max : longest)
   for (int i = begin; i < end; ++i) {
     const double dx = bx[i] - ax[i], dy = by[i] - ay[i], dz = bz[i] - az[i];
     const double rate = dx * (bvx[i] - avx[i]) + dy * (bvy[i] - avy[i]) + dz * (bvz[i] - avz[i]);
     const double length_squared = dx * dx + dy * dy + dz * dz;
     const double square = length_squared > least_square ? length_squared : least_square;
+    hold(square * inverse_square, (square + 2.0 * ahead * rate) * inverse_square, area[i], shortest, longest);
     const double viscous = viscous_force_per_length(square, rate, rest, area[i], viscosity);
     const double per_length = yarn_force_per_length<section>(law, square, rest, area[i]) + viscous;
     power += viscous * rate;
@@ -28,25 +39,28 @@ double yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& vel
     ty[i] = per_length * dy;
     tz[i] = per_length * dz;
   }
-  return power;
+  return {power, shortest, longest};
 }
 
 template <Section section, class Law>
-double loose_yarns(const void* law_pointer, const LooseYarnView& yarns, double viscosity, const double* const (&x)[3],
-                   const double* const (&v)[3], double* const (&t)[3]) {
+YarnSums loose_yarns(const void* law_pointer, const LooseYarnView& yarns, double viscosity, double ahead,
+                     const double* const (&x)[3], const double* const (&v)[3], double* const (&t)[3]) {
   const Law law = *static_cast<const Law*>(law_pointer);
   const double *px = x[0], *py = x[1], *pz = x[2];
   const double *vx = v[0], *vy = v[1], *vz = v[2];
   double *tx = t[0], *ty = t[1], *tz = t[2];
   const int *node0 = yarns.node0, *node1 = yarns.node1;
   const double *length = yarns.length, *jaw = yarns.jaw, *sections = yarns.section;
-  double power = 0.0;
-#pragma omp simd reduction(+ : power)
+  double power = 0.0, shortest = 1.0, longest = 1.0;
+#pragma omp simd reduction(+ : power) reduction(min : shortest) reduction(max : longest)
   for (int e = 0; e < yarns.count; ++e) {
     const int a = node0[e], b = node1[e];
     const double dx = px[b] - px[a], dy = py[b] - py[a], dz = pz[b] - pz[a];
     const double rate = dx * (vx[b] - vx[a]) + dy * (vy[b] - vy[a]) + dz * (vz[b] - vz[a]);
     const double square = dx * dx + dy * dy + dz * dz;
+    const double free = std::sqrt(square), whole = free + jaw[e], coming = whole + ahead * rate / free;
+    const double inverse = 1.0 / length[e];
+    hold(whole * inverse * whole * inverse, coming * inverse * coming * inverse, sections[e], shortest, longest);
     const double viscous = viscous_force_per_length(square, rate, length[e], sections[e], viscosity);
     const double per_length = yarn_force_per_length<section>(law, square, length[e], jaw[e], sections[e]) + viscous;
     power += viscous * rate;
@@ -54,7 +68,7 @@ double loose_yarns(const void* law_pointer, const LooseYarnView& yarns, double v
     ty[e] = per_length * dy;
     tz[e] = per_length * dz;
   }
-  return power;
+  return {power, shortest, longest};
 }
 
 // Directions at a full quad's centre from its diagonals d = x11 - x00, e = x10 - x01: g1 = (d + e)/2h1, g2 = (d -

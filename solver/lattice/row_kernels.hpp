@@ -15,10 +15,17 @@ struct RowPair {
   const double* b[3];
 };
 
+// Over the yarn elements of one call.
+struct YarnSums {
+  double power = 0.0;                    // mJ/s; of their viscosity
+  double shortest = 1.0, longest = 1.0;  // 1; least and greatest (L/L0)^2, now and `ahead`, unstretched included
+};
+
 // Yarn elements from a[i] to b[i]: t[c][i] = force on node a (N), the opposite on node b. `velocity` pairs up like
-// `rows`; `viscosity` (MPa s) is that of yarn.hpp. Returns the viscous power (mJ/s).
-using YarnRow = double (*)(const void* law, const RowPair& rows, const RowPair& velocity, double rest, double viscosity,
-                           const double* area, int begin, int end, double* const (&t)[3]);
+// `rows`; `viscosity` (MPa s) is that of yarn.hpp; lengths `ahead` (s) go on at their present rate.
+using YarnRow = YarnSums (*)(const void* law, const RowPair& rows, const RowPair& velocity, double rest,
+                             double viscosity, double ahead, const double* area, int begin, int end,
+                             double* const (&t)[3]);
 
 // Cells with corners lower[i], lower[i+1], upper[i], upper[i+1]:
 //   p[c][i] = force on lower[i]   (the opposite on upper[i+1])
@@ -36,8 +43,8 @@ struct LooseYarnView {
   const int *node0, *node1;
   const double *length, *jaw, *section;
 };
-using LooseYarnLoop = double (*)(const void* law, const LooseYarnView& yarns, double viscosity,
-                                 const double* const (&x)[3], const double* const (&v)[3], double* const (&t)[3]);
+using LooseYarnLoop = YarnSums (*)(const void* law, const LooseYarnView& yarns, double viscosity, double ahead,
+                                   const double* const (&x)[3], const double* const (&v)[3], double* const (&t)[3]);
 struct LooseCellView {
   int count;
   const int* node;            // width per cell

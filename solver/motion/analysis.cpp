@@ -17,7 +17,6 @@ namespace weaveform {
 namespace {
 
 constexpr int check_interval = 500;          // steps between looks at the stable step and at wrong states
-constexpr double torn_strain = 0.5;          // a yarn never bears this; the stable step is bounded up to here
 constexpr int cells_worth_a_thread = 20000;  // below, a second thread costs more than it brings (./dev bench)
 
 int choose_threads(int wanted, int cells) {
@@ -61,6 +60,7 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       row_schedule_(duration_, scene.output.history),
       frame_schedule_(duration_, scene.output.frames),
       progress_("solve", options.quiet),
+      reach_(scene.analysis.step_bound == "stiffest"),
       displacement_(grips_.size(), 0.0),
       displacement_next_(grips_.size(), 0.0),
       grip_force_(grips_.size(), 0.0),
@@ -95,8 +95,10 @@ void Analysis::find_grip_images() {
 }
 
 void Analysis::add_terms() {
-  if (scene_.analysis.gravity != Vec3{0.0, 0.0, 0.0})
-    terms_.push_back(std::make_unique<Gravity>(packed_, state_, scene_.analysis.gravity));
+  if (Vec3 gravity = scene_.analysis.gravity; gravity != Vec3{0.0, 0.0, 0.0}) {
+    for (double& component : gravity) component /= scene_.analysis.mass_scale;  // weight stays that of the real mass
+    terms_.push_back(std::make_unique<Gravity>(packed_, state_, gravity));
+  }
   const Flexure flexure = choose_flexure(card_, scene_.model);
   // a shear frame's members turn, so that yarns are not clamped in them
   const auto clamped = scene_.frame ? std::vector<char>(mesh_.node_count(), 0) : held_nodes(grips_, mesh_, packed_);
@@ -105,8 +107,9 @@ void Analysis::add_terms() {
     bending_ = bending.get();
     terms_.push_back(std::move(bending));
   }
+  const auto stiffest = critical_step_.stiffest(every_strain);
   const double fabric_step =
-      finite_step(critical_step_(mesh_positions(packed_, state_)).step, duration_, scene_.output);
+      finite_step(critical_step_(mesh_positions(packed_, state_), stiffest).step, duration_, scene_.output);
   if (flexure.has_shell) {
     auto shell = std::make_unique<Shell>(mesh_, packed_, card_, flexure, clamped, state_,
                                          Shell::Setup{fabric_step, loading_.damping, threads_});
@@ -134,6 +137,7 @@ SolveResult Analysis::run() {
     recompute_fabric_forces();
   else
     compute_forces();
+  if (!options_.resume) watch_reach();
   if (!options_.resume) balance_.start = balance_.internal = stored_energy(mesh_positions(packed_, state_));
   for (;;) {
     if (state_.step % check_interval == 0) {
@@ -147,6 +151,7 @@ SolveResult Analysis::run() {
     if (row_open_) close_row();
     if (last || (options_.most_steps > 0 && state_.step >= options_.most_steps)) break;
     compute_forces();
+    watch_reach();
     if (InterruptWatch::requested()) leave_checkpoint();
   }
   recorder_.finish();
@@ -154,17 +159,32 @@ SolveResult Analysis::run() {
   return result();
 }
 
+// The next step is renewed at once when a yarn is, or comes within the next step or two to be, stretched or compressed
+// further than the present one allows.
+void Analysis::watch_reach() {
+  if (reach_.passed_by(forces_.strains())) renew_step();
+}
+
 void Analysis::renew_step() {
+  reach_.renew();
+  yarn_modulus_ = critical_step_.stiffest(reach_.allowed());
   const auto position = mesh_positions(packed_, state_);
-  std::vector<double> further(terms_.empty() ? 0 : mesh_.node_count(), 0.0);
-  for (const auto& term : terms_) term->add_stiffness_bound(position, further);
-  stable_ = critical_step_(position, further);
+  stable_ = critical_step_(position, yarn_modulus_);
+  if (!terms_.empty()) {
+    const double fabric_frequency = 2.0 / finite_step(stable_.step, duration_, scene_.output);
+    std::vector<double> further(mesh_.node_count(), 0.0);
+    for (const auto& term : terms_) term->add_stiffness_bound(position, fabric_frequency, further);
+    stable_ = critical_step_(position, yarn_modulus_, further);
+    for (const auto& term : terms_)
+      if (term->longest_step() < stable_.step) stable_ = {term->longest_step(), term->name()};
+  }
   stable_.step = finite_step(stable_.step, duration_, scene_.output);
   // viscosity of fraction xi at the highest frequency 2/step shortens the stable step to (sqrt(1 + xi^2) - xi) of it
   const double xi = scene_.analysis.yarn_viscosity;
   set_viscous_time(xi * stable_.step);
   stable_.step *= std::sqrt(1.0 + xi * xi) - xi;
   step_ = scene_.analysis.step_factor * stable_.step;
+  forces_.set_look_ahead(steps_ahead * step_);
   if (smallest_step_ == 0.0 || step_ < smallest_step_) {
     smallest_step_ = step_;
     step_set_by_ = stable_.set_by;
@@ -220,8 +240,7 @@ void Analysis::close_balance(double kinetic) {
 
 void Analysis::set_viscous_time(double beta) {
   viscous_time_ = beta;
-  const auto& stiffest = critical_step_.stiffest();
-  forces_.set_viscosity({beta * stiffest[0], beta * stiffest[1]});
+  forces_.set_viscosity({beta * yarn_modulus_[0], beta * yarn_modulus_[1]});
 }
 
 void Analysis::move(bool last) {

@@ -20,6 +20,7 @@
 #include "solver/motion/mirror_planes.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/motion/picture_frame.hpp"
+#include "solver/motion/reach.hpp"
 #include "solver/motion/recorder.hpp"
 #include "solver/motion/schedule.hpp"
 #include "solver/motion/ties.hpp"
@@ -37,6 +38,7 @@ public:
 private:
   // The loop, in the order of the theory: step length, outputs due, motion, forces.
   void renew_step();
+  void watch_reach();
   void compute_forces();
   void follow();
   void recompute_fabric_forces();
@@ -98,6 +100,8 @@ private:
   std::vector<std::vector<int>> grip_image_;     // per mirror plane: the grip that each is mirrored onto
   EnergyBalance balance_;                        // of the whole
   double grip_work_ = 0.0, damping_work_ = 0.0;  // mJ; of what is solved
+  Reach reach_;
+  std::array<double, 2> yarn_modulus_ = {0.0, 0.0};  // MPa; that the step is stable with, of each family
   StableStep stable_;
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
   double viscous_time_ = 0.0;                                    // s; beta of yarn.hpp

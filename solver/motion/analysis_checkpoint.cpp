@@ -8,11 +8,12 @@ namespace weaveform {
 
 std::string Analysis::identity() const {
   return fmt::format(
-      "{} nodes, {} yarns, {} cells, {} {} {} {} {}, duration {:.17g}, damping {:.17g}, factor {:.17g}, rows {}, "
-      "frames {}",
+      "{} nodes, {} yarns, {} cells, {} {} {} {} {}, duration {:.17g}, damping {:.17g}, factor {:.17g} of the {} step, "
+      "mass x "
+      "{:.17g}, rows {}, frames {}",
       mesh_.node_count(), mesh_.yarn_count(), mesh_.cells.size(), card_.name, scene_.model.yarn, scene_.model.cell,
       scene_.model.formulation, scene_.model.thickness, duration_, loading_.damping, scene_.analysis.step_factor,
-      scene_.output.history, scene_.output.frames);
+      scene_.analysis.step_bound, scene_.analysis.mass_scale, scene_.output.history, scene_.output.frames);
 }
 
 void Analysis::leave_checkpoint() {
@@ -25,6 +26,7 @@ void Analysis::leave_checkpoint() {
       .step = step_,
       .smallest_step = smallest_step_,
       .viscous_time = viscous_time_,
+      .reach = reach_.memory(),
       .power_before = damping_power_before_,
       .force_before = grip_force_before_,
       .displacement_before = grip_displacement_before_,
@@ -55,7 +57,10 @@ void Analysis::resume() {
   step_before_ = checkpoint.step_before;
   step_ = checkpoint.step;
   smallest_step_ = checkpoint.smallest_step;
+  reach_.recall(checkpoint.reach);
+  yarn_modulus_ = critical_step_.stiffest(reach_.allowed());
   set_viscous_time(checkpoint.viscous_time);
+  forces_.set_look_ahead(steps_ahead * step_);
   damping_power_before_ = checkpoint.power_before;
   grip_force_before_ = std::move(checkpoint.force_before);
   grip_displacement_before_ = std::move(checkpoint.displacement_before);

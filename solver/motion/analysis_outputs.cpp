@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/motion/analysis.hpp"
+#include "solver/motion/strain_error.hpp"
 
 namespace weaveform {
 namespace {
@@ -153,9 +154,12 @@ SolveResult Analysis::result() {
     s.contact_damping_work_mJ = parts_ * cost.damping_work;
     s.contact_wall_s = cost.wall_s;
   }
+  const double mass_scale = scene_.analysis.mass_scale;
+  for (const double mass : whole_.nodes.mass) s.added_mass_t += mass * (1.0 - 1.0 / mass_scale);
+  s.yarn_strain_error = yarn_strain_error(whole_, card_, scene_.model, fields_.yarn_strain);
   if (scene_.frame && !scene_.frame->rigid) {
     const auto& frame = *scene_.frame;
-    s.added_mass_t = (frame.mass_scale - 1.0) * 4.0 * frame.density * frame.section * frame.length;
+    s.added_mass_t += (frame.mass_scale - 1.0) * 4.0 * frame.density * frame.section * frame.length;
   }
   if (!directory_.empty()) {
     write_history(result.history, directory_ / "history.csv");

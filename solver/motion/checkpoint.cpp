@@ -10,7 +10,7 @@
 namespace weaveform {
 namespace {
 
-constexpr char magic[] = "weaveform checkpoint 1";
+constexpr char magic[] = "weaveform checkpoint 2";
 
 // One description of the layout serves both ways: `Archive` is a writer or a reader.
 class Writer {
@@ -89,6 +89,11 @@ void transfer(Archive& archive, C& c) {
         &c.balance.kinetic, &c.balance.damping, &c.balance.external, &c.balance.start, &c.balance.greatest,
         &c.grip_work, &c.damping_work, &c.worst_error, &c.worst_ratio, &c.path.work, &c.window.elapsed})
     archive(*value);
+  for (auto* strains : {&c.reach.allowed, &c.reach.reached})
+    for (auto& range : *strains) {
+      archive(range.least);
+      archive(range.greatest);
+    }
   for (auto* value : {&c.next_row, &c.next_frame, &c.folded, &c.window.row}) archive(*value);
   archive(c.force_before);
   archive(c.displacement_before);

@@ -6,6 +6,7 @@
 #include "solver/lattice/state.hpp"
 #include "solver/motion/balance.hpp"
 #include "solver/motion/energy.hpp"
+#include "solver/motion/reach.hpp"
 #include "solver/motion/recorder.hpp"
 
 namespace weaveform {
@@ -16,6 +17,7 @@ struct Checkpoint {
   double step = 0.0;                        // s; length of the next one
   double smallest_step = 0.0;               // s
   double viscous_time = 0.0;                // s; beta of yarn.hpp
+  Reach::Memory reach;                      // what the step allows yarns to reach
   double power_before = 0.0;                // mJ/s; damping power at the last step
   std::vector<double> force_before;         // N; grips' forces at the last step
   std::vector<double> displacement_before;  // mm; grips' displacement at the last step

@@ -16,19 +16,16 @@ Vector3d vector(const Vec3& a) {
   return {a[0], a[1], a[2]};
 }
 
-// Far beyond what a yarn bears; a run whose yarns stretch further stops (see the checks of the time loop).
-constexpr double greatest_strain = 0.5;
-
-// MPa; greatest dN/dL L0/A0 of a yarn at -greatest_strain <= e <= 0. Shortening makes it stiffer than its tangent C:
+// MPa; greatest dN/dL L0/A0 of a yarn at least <= e <= 0. Shortening makes it stiffer than its tangent C:
 //   incompressible section  exp(-2e) (C - s),  constant section  exp(-e) C        (s <= 0)
 // while stretching makes it softer. Bounded in short intervals by the greatest of each factor.
-double stiffest_compressed(const TangentLaw& law, bool constant_section) {
-  constexpr int intervals = 50;  // the bound is then within 2 % of the greatest value
+double stiffest_compressed(const TangentLaw& law, double least, bool constant_section) {
+  constexpr int intervals = 50;  // at a strain of -0.5 the bound is then within 2 % of the greatest value
   double greatest = 0.0;
   for (int n = 0; n < intervals; ++n) {
     // at zero strain itself the law's tangent is that of tension
-    const double from = -greatest_strain * (n + 1) / intervals;
-    const double to = std::min(-greatest_strain * n / intervals, -std::numeric_limits<double>::min());
+    const double from = least * (n + 1) / intervals;
+    const double to = std::min(least * n / intervals, -std::numeric_limits<double>::min());
     const double tangent = law.stiffest(from, to);
     const double stiffness =
         constant_section ? std::exp(-from) * tangent : std::exp(-2.0 * from) * (tangent - law.stress(from));
@@ -59,17 +56,24 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
                            const ModelSpec& model, std::vector<char> held)
     : mesh_(mesh),
       shear_(card.shear),
-      yarn_stiffness_(mesh.yarn_count()),
+      yarn_laws_(yarn_laws),
+      constant_section_(model.section == "constant"),
+      yarn_shape_(mesh.yarn_count()),
       held_(std::move(held)),
       tied_(mesh.node_count(), 0) {
   for (const auto& tie : mesh.tie) tied_[tie.node] = 1;
   for (const auto& image : mesh.symmetry.image) tied_[image.node] = 1;
-  for (int f = 0; f < 2; ++f)
-    stiffest_[f] = std::max(yarn_laws[f].stiffest(0.0, greatest_strain),
-                            stiffest_compressed(yarn_laws[f], model.section == "constant"));
   for (int e = 0; e < mesh.yarn_count(); ++e)
-    yarn_stiffness_[e] = stiffest_[mesh.yarns.family[e] == Family::warp ? 0 : 1] * mesh.yarns.section[e] *
-                         mesh.yarns.softening[e] / (mesh.yarns.rest_length[e] + mesh.yarns.jaw[e]);
+    yarn_shape_[e] = mesh.yarns.section[e] * mesh.yarns.softening[e] / (mesh.yarns.rest_length[e] + mesh.yarns.jaw[e]);
+}
+
+// Stretching makes a yarn softer than its tangent, dN/dL <= C A0/L0.
+std::array<double, 2> CriticalStep::stiffest(const FamilyStrains& allowed) const {
+  std::array<double, 2> modulus{};
+  for (std::size_t f = 0; f < modulus.size(); ++f)
+    modulus[f] = std::max(yarn_laws_[f].stiffest(0.0, allowed[f].greatest),
+                          stiffest_compressed(yarn_laws_[f], allowed[f].least, constant_section_));
+  return modulus;
 }
 
 // An image's rows are those of its node, mirrored.
@@ -92,14 +96,16 @@ void CriticalStep::add_other_sides(std::vector<Matrix3d>& bound) const {
   }
 }
 
-StableStep CriticalStep::operator()(const std::vector<Vec3>& position, std::vector<double> further) const {
+StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std::array<double, 2>& yarn_modulus,
+                                    std::vector<double> further) const {
   if (!further.empty())
     for (const auto& image : mesh_.symmetry.image) further[image.of] += further[image.node];
   std::vector<Matrix3d> bound(mesh_.node_count(), Matrix3d::Zero());
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     const auto [a, b] = mesh_.yarns.node[e];
     const Vector3d along = (vector(position[b]) - vector(position[a])).normalized();
-    const Matrix3d stiffness = yarn_stiffness_[e] * along * along.transpose();
+    const double modulus = yarn_modulus[mesh_.yarns.family[e] == Family::warp ? 0 : 1];
+    const Matrix3d stiffness = modulus * yarn_shape_[e] * along * along.transpose();
     bound[a] += (held_[b] ? 1.0 : 2.0) * stiffness;
     bound[b] += (held_[a] ? 1.0 : 2.0) * stiffness;
   }

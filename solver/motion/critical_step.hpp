@@ -1,5 +1,5 @@
-// The stable step of the explicit analysis, from the stiffest tangent each element can reach. (A trial with the yarns'
-// current tangents, a larger step, made a forming run gain energy and tear itself apart; design section 4.)
+// The stable step of the explicit analysis, from the stiffest tangent that the yarns of a family can have at the
+// strains allowed to them (reach.hpp).
 //
 // Central difference is stable for step <= 2 / sqrt(lambda), lambda the greatest eigenvalue of M^-1 K. For yarns
 //   u.K u = sum_e k_e (n_e.(u_a - u_b))^2 <= sum_e 2 k_e ((n_e.u_a)^2 + (n_e.u_b)^2)     (factor 1 where one end is
@@ -16,6 +16,7 @@
 #include "mesher/material/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
+#include "solver/motion/reach.hpp"
 #include "solver/result/fields.hpp"
 
 namespace weaveform {
@@ -30,10 +31,12 @@ public:
   // `held`: per mesh node, true where every component is prescribed.
   CriticalStep(const Mesh& mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws, const ModelSpec& model,
                std::vector<char> held);
-  // MPa; the stiffest tangent of each family's yarns, stretched or compressed up to a true strain of 0.5
-  [[nodiscard]] const std::array<double, 2>& stiffest() const { return stiffest_; }
-  // `further`: per mesh node, row sums of everything else that is stiff there (N/mm); may be empty.
-  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, std::vector<double> further = {}) const;
+  // MPa; the stiffest tangent of each family's yarns at the allowed strains
+  [[nodiscard]] std::array<double, 2> stiffest(const FamilyStrains& allowed) const;
+  // `yarn_modulus` (MPa): of each family. `further`: per mesh node, row sums of everything else that is stiff there
+  // (N/mm); may be empty.
+  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::array<double, 2>& yarn_modulus,
+                                      std::vector<double> further = {}) const;
 
 private:
   void move_images(std::vector<Eigen::Matrix3d>& bound, std::vector<double>& cell_rows) const;
@@ -41,8 +44,9 @@ private:
 
   const Mesh& mesh_;
   ShearCard shear_;
-  std::array<double, 2> stiffest_{};
-  std::vector<double> yarn_stiffness_;  // N/mm; greatest dN/dL
+  std::array<TangentLaw, 2> yarn_laws_;
+  bool constant_section_;
+  std::vector<double> yarn_shape_;  // mm; section over length, so that times a modulus it is dN/dL
   std::vector<char> held_;
   std::vector<char> tied_;  // nodes that follow others
 };

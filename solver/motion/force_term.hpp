@@ -2,6 +2,7 @@
 // members. Each is one object that the analysis asks in a fixed order, so that a scene pays only for what it has.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,12 @@ public:
   [[nodiscard]] virtual double dissipated() const { return 0.0; }
   // mJ; work put in so far from outside (moving tools, binder force, gravity).
   [[nodiscard]] virtual double external_work() const { return 0.0; }
-  // Adds, per mesh node, a bound of its stiffness row sums (N/mm): sum over j of |K_ij|.
-  virtual void add_stiffness_bound(const std::vector<Vec3>& /*position*/, std::vector<double>& /*bound*/) const {}
+  // Adds, per mesh node, a bound of its stiffness row sums (N/mm): sum over j of |K_ij|. `fabric_frequency` (1/s) is
+  // the greatest of the woven net alone.
+  virtual void add_stiffness_bound(const std::vector<Vec3>& /*position*/, double /*fabric_frequency*/,
+                                   std::vector<double>& /*bound*/) const {}
+  // s; above it the term's own unknowns are not stable.
+  [[nodiscard]] virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
   // What a checkpoint must keep.
   [[nodiscard]] virtual std::vector<double> memory() const { return {}; }
   virtual void recall(const std::vector<double>& /*memory*/) {}

@@ -114,7 +114,8 @@ void FrameMembers::add_forces(State& state, double /*step*/) {
   }
 }
 
-void FrameMembers::add_stiffness_bound(const std::vector<Vec3>& /*position*/, std::vector<double>& bound) const {
+void FrameMembers::add_stiffness_bound(const std::vector<Vec3>& /*position*/, double /*fabric_frequency*/,
+                                       std::vector<double>& bound) const {
   for (const int n : mesh_corner_) bound[n] += 2.0 * 2.0 * stiffness_ / length_;  // two members, 2 EA/L each
 }
 

@@ -51,7 +51,8 @@ public:
   [[nodiscard]] std::string name() const override { return "frame members"; }
   void add_forces(State& state, double step) override;
   [[nodiscard]] double stored_energy() const override { return energy_; }
-  void add_stiffness_bound(const std::vector<Vec3>& position, std::vector<double>& bound) const override;
+  void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
+                           std::vector<double>& bound) const override;
 
 private:
   std::array<int, 4> corner_;  // packed

@@ -44,8 +44,10 @@ struct SolveStatistics {
   double max_yarn_strain = 0.0;
   int folded_cells = 0;  // greatest number at any history row
   int folded_cells_at_end = 0;
-  int cells_beyond_card = 0;  // cells sheared past the range of the card's shear law in the last frame
-  double added_mass_t = 0.0;  // tonne; mass scaling of a shear frame's members, real mass taken away negative
+  int cells_beyond_card = 0;       // cells sheared past the range of the card's shear law in the last frame
+  double yarn_strain_error = 0.0;  // 1; greatest strain too much or too little for a yarn's force, by
+                                   // model.yarn_stiffness_scale, in the last frame (strain_error.hpp)
+  double added_mass_t = 0.0;       // tonne; analysis.mass_scale, frame.mass_scale; real mass taken away negative
   // A start with random node displacements (analysis.perturbation) is compared with the same scene without it:
   double perturbation_distance_mm = 0.0;  // greatest distance of a node from where the clean run left it
   bool perturbation_returned = true;      // that distance is below 1 % of the spacing and no cell is folded

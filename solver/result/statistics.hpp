@@ -31,6 +31,7 @@ void for_each_statistic(Statistics& s, Visit visit) {
   visit("folded_cells", s.folded_cells);
   visit("folded_cells_at_end", s.folded_cells_at_end);
   visit("cells_beyond_card", s.cells_beyond_card);
+  visit("yarn_strain_error", s.yarn_strain_error);
   visit("added_mass_t", s.added_mass_t);
   visit("perturbation_distance_mm", s.perturbation_distance_mm);
   visit("perturbation_returned", s.perturbation_returned);

@@ -28,9 +28,11 @@ wait $run
 
 class InterruptedRun : public testing::Test {
 protected:
+  explicit InterruptedRun(std::string duration = "1.5", std::string analysis = "")
+      : duration_(std::move(duration)), analysis_(std::move(analysis)) {}
   void SetUp() override {
     // Long enough (a slow pull, many frames) that the interruption comes well before the end.
-    write_text(tiny_scene() + "\n[analysis]\nduration = 1.5\n", file("tiny.toml"));
+    write_text(tiny_scene() + "\n[analysis]\nduration = " + duration_ + "\n" + analysis_, file("tiny.toml"));
   }
   [[nodiscard]] CommandResult run(const std::string& command) const {
     return run_command("BINARY='" WEAVEFORM_BINARY "'\n" + command, folder_.path());
@@ -38,6 +40,7 @@ protected:
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
 
 private:
+  std::string duration_, analysis_;  // s; further keys
   TemporaryFolder folder_;
 };
 
@@ -52,6 +55,20 @@ TEST_F(InterruptedRun, LeavesACheckpointAndGoesOnToTheSameBits) {
   EXPECT_EQ(read_text(file("stopped/history.csv")), read_text(file("whole/history.csv")));
   // Not EXPECT_EQ, which would print the binary content.
   EXPECT_TRUE(read_text(file("stopped/frames/frame_0004.vtu")) == read_text(file("whole/frames/frame_0004.vtu")));
+}
+
+// Ten times as slow, for it takes a tenth of the steps.
+class InterruptedReachingRun : public InterruptedRun {
+protected:
+  InterruptedReachingRun() : InterruptedRun("15", "step_bound = \"reached\"\n") {}
+};
+
+TEST_F(InterruptedReachingRun, GoesOnWithTheStrainsThatItHadReached) {
+  const auto stopped = run(interrupted_run);
+  ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
+  ASSERT_EQ(run("weaveform run tiny.toml --output stopped --resume --quiet").exit_code, 0);
+  ASSERT_EQ(run("weaveform run tiny.toml --output whole --quiet").exit_code, 0);
+  EXPECT_EQ(read_text(file("stopped/history.csv")), read_text(file("whole/history.csv")));
 }
 
 TEST_F(InterruptedRun, DoesNotGoOnWithAnotherScene) {

@@ -134,8 +134,8 @@ private:
   }
 
   void renew_step() {
-    const double stable = critical_(positions()).step;
-    const double eta = viscosity_ * stable * critical_.stiffest()[0];
+    const double stable = critical_(positions(), critical_.stiffest(every_strain)).step;
+    const double eta = viscosity_ * stable * critical_.stiffest(every_strain)[0];
     forces_.set_viscosity({eta, eta});
     step_ = factor_ * stable * (std::sqrt(1.0 + viscosity_ * viscosity_) - viscosity_);
   }

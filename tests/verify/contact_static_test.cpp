@@ -47,7 +47,8 @@ public:
         for (const int n : set.node) held[n] = 1;
     for (int n = 0; n < mesh_.node_count(); ++n)
       if (held[n] == 0) free_.push_back(n);
-    const double step = CriticalStep(mesh_, card_, laws_, scene.model, held)(mesh_.nodes.position).step;
+    const CriticalStep critical(mesh_, card_, laws_, scene.model, held);
+    const double step = critical(mesh_.nodes.position, critical.stiffest(every_strain)).step;
     rate_ = contact_stiffness_share * 4.0 / (step * step);
     softening_ = contact_softening * card_.thickness;
   }

@@ -27,6 +27,7 @@ public:
     throw_about();
     const std::vector<char> free(patch_.mesh.node_count(), 0);
     const CriticalStep critical(patch_.mesh, patch_.card, laws_, scene_.model, free);
+    const auto stiffest = critical.stiffest(every_strain);
     const auto position = [&] { return mesh_positions(patch_.packed, patch_.state); };
     const Flexure flexure = choose_flexure(patch_.card, scene_.model);
     fabric_ = std::make_unique<FabricForces>(patch_.packed, patch_.card, laws_, scene_.model, patch_.state, 1);
@@ -34,12 +35,12 @@ public:
       term_.push_back(std::make_unique<LatticeBending>(patch_.mesh, patch_.packed, flexure, free, patch_.state, 1));
     if (flexure.has_shell)
       term_.push_back(std::make_unique<Shell>(patch_.mesh, patch_.packed, patch_.card, flexure, free, patch_.state,
-                                              Shell::Setup{critical(position()).step, 0.0, 1}));
+                                              Shell::Setup{critical(position(), stiffest).step, 0.0, 1}));
     std::vector<double> further(patch_.mesh.node_count(), 0.0);
-    for (const auto& term : term_) term->add_stiffness_bound(position(), further);
-    const double stable = critical(position(), further).step;
+    for (const auto& term : term_) term->add_stiffness_bound(position(), 0.0, further);
+    const double stable = critical(position(), stiffest, further).step;
     step_ = step_factor * stable * (std::sqrt(1.0 + viscosity * viscosity) - viscosity);
-    fabric_->set_viscosity({viscosity * stable * critical.stiffest()[0], viscosity * stable * critical.stiffest()[1]});
+    fabric_->set_viscosity({viscosity * stable * stiffest[0], viscosity * stable * stiffest[1]});
     motion_ = std::make_unique<Motion>(patch_.packed, 0.0, 1);
     internal_ = std::make_unique<InternalEnergy>(patch_.mesh, patch_.card, laws_, scene_.model);
   }

@@ -14,6 +14,7 @@ set(VERIFY_SOURCES
   verify/contact_limits_test.cpp
   verify/contact_static_test.cpp
   verify/unit_cell_test.cpp
+  verify/step_bound_test.cpp
   support/bending_cases.cpp
   support/elastica.cpp
   support/static_fabric.cpp

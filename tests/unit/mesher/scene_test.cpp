@@ -63,6 +63,9 @@ Scene unusual_scene() {
   scene.analysis = {.duration = 0.1 + 0.2,  // 0.30000000000000004: needs all 17 digits
                     .loading_speed = {},
                     .step_factor = 0.5,
+                    .step_bound = "reached",
+                    .mass_scale = 2.5,
+                    .contact_stiffness = 0.125,
                     .step_check = false,
                     .damping = 7,
                     .energy_limit = 0.01,

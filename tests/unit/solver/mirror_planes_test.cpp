@@ -60,7 +60,7 @@ struct Moved {
       bending = std::make_unique<LatticeBending>(mesh, packed, flexure, held, state, 1);
       bending->add_forces(state, 0.0);
       bound.assign(mesh.node_count(), 0.0);
-      bending->add_stiffness_bound(mesh_positions(packed, state), bound);
+      bending->add_stiffness_bound(mesh_positions(packed, state), 0.0, bound);
     }
     if (mirrors) mirrors->give_forces(state);
     ties->give_forces(state);
@@ -128,10 +128,9 @@ TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
     }
 
     const auto step = [&](const Mesh& mesh, const Moved& moved) {
-      return CriticalStep(mesh, card, yarn_laws(card, scene.model), scene.model,
-                          std::vector<char>(mesh.node_count(), 0))(mesh_positions(moved.packed, moved.state),
-                                                                   moved.bound)
-          .step;
+      const CriticalStep critical(mesh, card, yarn_laws(card, scene.model), scene.model,
+                                  std::vector<char>(mesh.node_count(), 0));
+      return critical(mesh_positions(moved.packed, moved.state), critical.stiffest(every_strain), moved.bound).step;
     };
     if (c.bending) {
       const double energy = all.bending->stored_energy();

@@ -8,6 +8,7 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/history_test.cpp
   unit/solver/incremental_cell_test.cpp
   unit/solver/mirror_planes_test.cpp
+  unit/solver/reach_test.cpp
   unit/solver/shell_test.cpp
   unit/solver/yarn_law_test.cpp
 )
