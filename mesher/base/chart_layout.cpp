@@ -1,0 +1,291 @@
+#include "mesher/base/chart_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace weaveform {
+namespace {
+
+constexpr double margin_left = 84, margin_right = 24, margin_top = 44, margin_bottom = 60;  // px
+constexpr double legend_sample = 46, legend_row = 19.5, legend_inset = 8;                   // px
+constexpr std::size_t most_inside = 6;                                                      // entries
+
+struct Point {
+  double x, y;  // px
+};
+
+bool inside(const Point& point, const ChartBox& box) {
+  return point.x > box.left && point.x < box.right && point.y > box.top && point.y < box.bottom;
+}
+
+bool meet(const ChartBox& a, const ChartBox& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+// ---- ranges
+
+struct Extent {
+  double from = HUGE_VAL, to = -HUGE_VAL;
+  void hold(const std::vector<double>& values, AxisScale kind) {
+    const ChartScale scale{.kind = kind};
+    for (const double value : values) {
+      if (!scale.shows(value)) continue;
+      from = std::min(from, value);
+      to = std::max(to, value);
+    }
+  }
+};
+
+// Some room on both sides, but not past a zero that all data stay on one side of.
+Extent with_room_linear(Extent data) {
+  if (data.from > data.to) return {0.0, 1.0};
+  const double size = std::max(std::abs(data.from), std::abs(data.to));
+  const double span = data.to - data.from;
+  const double room = span > 1e-9 * size ? 0.04 * span : size > 0.0 ? 0.5 * size : 1.0;
+  const Extent wide{data.from - room, data.to + room};
+  return {data.from >= 0.0 && size > 0.0 ? std::max(0.0, wide.from) : wide.from,
+          data.to <= 0.0 && size > 0.0 ? std::min(0.0, wide.to) : wide.to};
+}
+
+Extent with_room_logarithmic(Extent data) {
+  if (data.from > data.to) return {1.0, 10.0};
+  const double decades = std::log10(data.to / data.from);
+  const double room = std::pow(10.0, decades > 1e-9 ? std::max(0.04, 0.05 * decades) : 0.3);
+  return {data.from / room, data.to * room};
+}
+
+ChartScale scale_of(const ChartAxis& axis, const Extent& data) {
+  const bool linear = axis.scale == AxisScale::linear;
+  const Extent range = linear ? with_room_linear(data) : with_room_logarithmic(data);
+  ChartScale scale{.kind = axis.scale, .from = range.from, .to = range.to};
+  const bool from_given = axis.from && scale.shows(*axis.from), to_given = axis.to && scale.shows(*axis.to);
+  if (from_given) scale.from = *axis.from;
+  if (to_given) scale.to = *axis.to;
+  // A limit that was asked for may lie beyond all data.
+  if (scale.from >= scale.to && to_given) scale.from = linear ? scale.to - 1.0 : scale.to / 10.0;
+  if (scale.from >= scale.to) scale.to = linear ? scale.from + 1.0 : scale.from * 10.0;
+  return scale;
+}
+
+void find_ranges(const Chart& chart, ChartLayout& layout) {
+  Extent x, y;
+  for (const auto& band : chart.bands) {
+    x.hold(band.x, chart.x.scale);
+    y.hold(band.low, chart.y.scale);
+    y.hold(band.high, chart.y.scale);
+  }
+  for (const auto& series : chart.series) {
+    x.hold(series.x, chart.x.scale);
+    for (const auto* values : {&series.y, &series.y_low, &series.y_high}) y.hold(*values, chart.y.scale);
+  }
+  layout.x = scale_of(chart.x, x);
+  layout.y = scale_of(chart.y, y);
+  layout.x.begin = layout.plot.left;
+  layout.x.end = layout.plot.right;
+  layout.y.begin = layout.plot.bottom;
+  layout.y.end = layout.plot.top;
+}
+
+// ---- legend
+
+// Where there is ink: points, and steps along lines that no text slips between.
+void add_ink(std::vector<Point>& ink, const std::vector<double>& x, const std::vector<double>& y, bool joined,
+             const ChartLayout& layout) {
+  constexpr double step = 8.0;  // px
+  Point last{};
+  bool follows = false;  // on `last`, with nothing undrawable between
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (!layout.x.shows(x[i]) || !layout.y.shows(y[i])) {
+      follows = false;
+      continue;
+    }
+    const Point here{layout.x(x[i]), layout.y(y[i])};
+    // Far outside the plot a line needs no more steps than across it.
+    const double length = follows && joined ? std::hypot(here.x - last.x, here.y - last.y) : 0.0;
+    const int steps = static_cast<int>(std::min(length, 1e4) / step);
+    for (int k = 1; k <= steps; ++k) {
+      const double part = static_cast<double>(k) / (steps + 1);
+      ink.push_back({last.x + part * (here.x - last.x), last.y + part * (here.y - last.y)});
+    }
+    ink.push_back(here);
+    last = here;
+    follows = true;
+  }
+}
+
+std::vector<Point> ink_of(const Chart& chart, const ChartLayout& layout) {
+  std::vector<Point> ink;
+  for (const auto& band : chart.bands) {
+    add_ink(ink, band.x, band.low, true, layout);
+    add_ink(ink, band.x, band.high, true, layout);
+  }
+  for (const auto& series : chart.series) {
+    add_ink(ink, series.x, series.y, series.mark != ChartMark::points, layout);
+    add_ink(ink, series.x, series.y_low, false, layout);
+    add_ink(ink, series.x, series.y_high, false, layout);
+  }
+  return ink;
+}
+
+std::vector<std::string> labels_of(const Chart& chart) {
+  std::vector<std::string> labels;
+  for (const auto& band : chart.bands)
+    if (!band.label.empty()) labels.push_back(band.label);
+  for (const auto& series : chart.series)
+    if (!series.label.empty()) labels.push_back(series.label);
+  return labels;
+}
+
+void place_legend(const Chart& chart, const std::vector<Point>& ink, ChartLayout& layout) {
+  const auto labels = labels_of(chart);
+  if (labels.empty()) return;
+  double width = 0.0;
+  for (const auto& label : labels) width = std::max(width, legend_sample + text_width(label, chart_font));
+  const double height = legend_row * static_cast<double>(labels.size());
+  const ChartBox& plot = layout.plot;
+  const auto box_at = [&](double left, double top) { return ChartBox{left, top, left + width, top + height}; };
+  const double right = plot.right - legend_inset - width, below = plot.bottom - legend_inset - height;
+  const double left = plot.left + legend_inset, above = plot.top + legend_inset;
+  const bool fits = width < 0.6 * (plot.right - plot.left) && height < 0.6 * (plot.bottom - plot.top);
+  if (fits && labels.size() <= most_inside) {
+    for (const ChartBox& box : {box_at(left, above), box_at(right, above), box_at(right, below), box_at(left, below)}) {
+      if (std::any_of(ink.begin(), ink.end(), [&](const Point& point) { return inside(point, box); })) continue;
+      layout.legend = box;
+      return;
+    }
+  }
+  layout.legend = box_at(plot.right + legend_inset, plot.top);
+  layout.width += width + legend_inset;
+  layout.height = std::max(layout.height, plot.top + height + legend_inset);
+}
+
+// ---- notes
+
+struct Place {
+  double right, down;  // px from the point
+  bool to_the_left;
+};
+constexpr std::array<Place, 10> places = {{{7, -9, false},
+                                           {-7, 11, true},
+                                           {7, 11, false},
+                                           {-7, -9, true},
+                                           {9, 0, false},
+                                           {-9, 0, true},
+                                           {7, -24, false},
+                                           {-7, 26, true},
+                                           {7, 26, false},
+                                           {-7, -24, true}}};
+
+ChartBox box_of(const Point& point, const Place& place, double width) {
+  const double x = point.x + place.right, y = point.y + place.down, half = 0.5 * note_font + 1.0;
+  return {place.to_the_left ? x - width : x, y - half, place.to_the_left ? x : x + width, y + half};
+}
+
+void place_notes(const Chart& chart, const std::vector<Point>& ink, ChartLayout& layout) {
+  std::vector<ChartBox> taken;
+  if (layout.legend) taken.push_back(*layout.legend);
+  for (const auto& note : chart.notes) {
+    if (!layout.x.shows(note.x) || !layout.y.shows(note.y)) continue;
+    const Point point{layout.x(note.x), layout.y(note.y)};
+    const double width = text_width(note.text, note_font);
+    // In the order of badness: beyond the plot, over another text, over data.
+    const auto cost = [&](const Place& place) {
+      const ChartBox box = box_of(point, place, width);
+      const ChartBox& plot = layout.plot;
+      const bool beyond =
+          box.left < plot.left || box.right > plot.right || box.top < plot.top || box.bottom > plot.bottom;
+      const auto texts = std::count_if(taken.begin(), taken.end(), [&](const ChartBox& b) { return meet(b, box); });
+      const auto data = std::count_if(ink.begin(), ink.end(), [&](const Point& p) { return inside(p, box); });
+      return (beyond ? 1e4 : 0.0) + 1e2 * static_cast<double>(texts) + std::min(99.0, static_cast<double>(data));
+    };
+    const Place& best = *std::min_element(places.begin(), places.end(),
+                                          [&](const Place& a, const Place& b) { return cost(a) < cost(b); });
+    taken.push_back(box_of(point, best, width));
+    layout.notes.push_back({note.text, point.x + best.right, point.y + best.down, best.to_the_left});
+  }
+}
+
+// ---- ticks
+
+std::string superscript(int exponent) {
+  constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "⁻" : "";
+  for (const char c : std::to_string(std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
+  return text;
+}
+
+std::string tick_label(double value) {
+  if (value >= 1e-3 && value < 1e5) return fmt::format("{:.6g}", value);
+  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  const std::string mantissa = fmt::format("{:.6g}", value / std::pow(10.0, exponent));
+  return (mantissa == "1" ? "10" : mantissa + "×10") + superscript(exponent);
+}
+
+// Steps of 1, 2 or 5 times a power of ten, some five of them.
+std::vector<double> round_steps(double from, double to) {
+  const double raw = (to - from) / 5.0, power = std::pow(10.0, std::floor(std::log10(raw)));
+  double step = power;
+  for (const double factor : {2.0, 5.0, 10.0})
+    if (step < raw * (1.0 - 1e-9)) step = factor * power;
+  std::vector<double> values;
+  for (double n = std::ceil(from / step - 1e-9); n * step <= to * (1.0 + 1e-12); ++n) values.push_back(n * step);
+  return values;
+}
+
+}  // namespace
+
+bool ChartScale::shows(double value) const {
+  return std::isfinite(value) && (kind == AxisScale::linear || value > 0.0);
+}
+
+double ChartScale::operator()(double value) const {
+  const auto place = [this](double v) { return kind == AxisScale::linear ? v : std::log10(v); };
+  return begin + (end - begin) * (place(value) - place(from)) / (place(to) - place(from));
+}
+
+double text_width(const std::string& text, double font_size) {
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  const auto letters = static_cast<std::ptrdiff_t>(text.size()) - std::count_if(text.begin(), text.end(), continues);
+  return 0.58 * font_size * static_cast<double>(letters);
+}
+
+std::vector<ChartTick> log_ticks(double from, double to) {
+  const double decades = std::log10(to / from);
+  std::vector<ChartTick> ticks;
+  if (decades < 0.6) {
+    for (const double value : round_steps(from, to)) ticks.push_back({value, tick_label(value)});
+    return ticks;
+  }
+  const int every = std::max(1, static_cast<int>(std::ceil(decades / 9.0)));  // decades between labels
+  const std::vector<int> labelled = decades >= 2.5   ? std::vector{1}
+                                    : decades >= 1.3 ? std::vector{1, 2, 5}
+                                                     : std::vector{1, 2, 3, 4, 5, 6, 8};
+  const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
+  for (int power = first; power <= last; ++power) {
+    for (int factor = 1; factor <= (every == 1 ? 9 : 1); ++factor) {
+      const double value = factor * std::pow(10.0, power);
+      if (value < from * (1.0 - 1e-9) || value > to * (1.0 + 1e-9)) continue;
+      const bool named = power % every == 0 && std::count(labelled.begin(), labelled.end(), factor) > 0;
+      ticks.push_back({value, named ? tick_label(value) : ""});
+    }
+  }
+  return ticks;
+}
+
+ChartLayout layout_of(const Chart& chart) {
+  ChartLayout layout;
+  layout.width = chart.width;
+  layout.height = chart.height;
+  layout.plot = {margin_left, margin_top, chart.width - margin_right, chart.height - margin_bottom};
+  find_ranges(chart, layout);
+  const auto ink = ink_of(chart, layout);
+  place_legend(chart, ink, layout);
+  place_notes(chart, ink, layout);
+  return layout;
+}
+
+}  // namespace weaveform
