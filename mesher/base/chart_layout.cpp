@@ -10,7 +10,7 @@
 namespace weaveform {
 namespace {
 
-constexpr double margin_left = 84, margin_right = 24, margin_top = 44, margin_bottom = 60;  // px
+constexpr double margin_left = 92, margin_right = 24, margin_top = 44, margin_bottom = 60;  // px
 constexpr double legend_sample = 46, legend_row = 19.5, legend_inset = 8;                   // px
 constexpr std::size_t most_inside = 6;                                                      // entries
 
@@ -218,8 +218,9 @@ std::string superscript(int exponent) {
   return text;
 }
 
-std::string tick_label(double value) {
-  if (value >= 1e-3 && value < 1e5) return fmt::format("{:.6g}", value);
+// As a power of ten where `powers` asks for one, or the digits would be too many.
+std::string tick_label(double value, bool powers) {
+  if (value == 1.0 || (!powers && value >= 1e-4 && value < 1e5)) return fmt::format("{:.6g}", value);
   const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
   const std::string mantissa = fmt::format("{:.6g}", value / std::pow(10.0, exponent));
   return (mantissa == "1" ? "10" : mantissa + "×10") + superscript(exponent);
@@ -257,9 +258,10 @@ std::vector<ChartTick> log_ticks(double from, double to) {
   const double decades = std::log10(to / from);
   std::vector<ChartTick> ticks;
   if (decades < 0.6) {
-    for (const double value : round_steps(from, to)) ticks.push_back({value, tick_label(value)});
+    for (const double value : round_steps(from, to)) ticks.push_back({value, tick_label(value, false)});
     return ticks;
   }
+  const bool powers = decades >= 2.5 && (from < 1e-4 || to >= 1e5);           // of one kind along the axis
   const int every = std::max(1, static_cast<int>(std::ceil(decades / 9.0)));  // decades between labels
   const std::vector<int> labelled = decades >= 2.5   ? std::vector{1}
                                     : decades >= 1.3 ? std::vector{1, 2, 5}
@@ -270,7 +272,7 @@ std::vector<ChartTick> log_ticks(double from, double to) {
       const double value = factor * std::pow(10.0, power);
       if (value < from * (1.0 - 1e-9) || value > to * (1.0 + 1e-9)) continue;
       const bool named = power % every == 0 && std::count(labelled.begin(), labelled.end(), factor) > 0;
-      ticks.push_back({value, named ? tick_label(value) : ""});
+      ticks.push_back({value, named ? tick_label(value, powers) : ""});
     }
   }
   return ticks;

@@ -169,9 +169,8 @@ std::string place(const ChartLayout& layout, double x, double y) {
   return fmt::format("screen {:.6f},{:.6f}", x / layout.width, 1.0 - y / layout.height);
 }
 
-std::string axis_commands(char axis, const ChartAxis& of, const ChartScale& scale) {
-  std::string text = fmt::format("set {}label {} {}\nset {}range [{}:{}]\n", axis, gnuplot_quoted(of.title),
-                                 font(chart_font), axis, number(scale.from), number(scale.to));
+std::string axis_commands(char axis, const ChartScale& scale) {
+  std::string text = fmt::format("set {}range [{}:{}]\n", axis, number(scale.from), number(scale.to));
   if (scale.kind == AxisScale::linear) return text + fmt::format("set {}tics format \"%.6g\"\n", axis);
   std::string ticks;
   for (const auto& tick : log_ticks(scale.from, scale.to))
@@ -197,7 +196,11 @@ std::string frame_commands(const Chart& chart, const ChartLayout& layout) {
       title_font * (layout.width - plot.left - 10.0) / std::max(1.0, text_width(chart.title, title_font));
   text += fmt::format("set label 1 {} at {} left {}\n", gnuplot_quoted(chart.title), place(layout, plot.left, 22),
                       font(std::clamp(fit, least_font, title_font)));
-  return text + axis_commands('x', chart.x, layout.x) + axis_commands('y', chart.y, layout.y);
+  text += fmt::format("set xlabel {} {}\n", gnuplot_quoted(chart.x.title), font(chart_font));
+  // gnuplot would put it beside the widest number, whose width it overrates.
+  text += fmt::format("set label 2 {} at {} center rotate by 90 {}\n", gnuplot_quoted(chart.y.title),
+                      place(layout, 18, 0.5 * (plot.top + plot.bottom)), font(chart_font));
+  return text + axis_commands('x', layout.x) + axis_commands('y', layout.y);
 }
 
 std::string legend_and_notes(const ChartLayout& layout) {
@@ -205,7 +208,7 @@ std::string legend_and_notes(const ChartLayout& layout) {
   if (layout.legend)
     text = fmt::format("set key at {} left top Left reverse vertical noautotitle samplen 2.5 spacing 1.0 {}\n",
                        place(layout, layout.legend->left, layout.legend->top), font(chart_font));
-  int count = 1;  // the title is the first
+  int count = 2;  // after the titles of chart and y axis
   for (const auto& note : layout.notes)
     text += fmt::format("set label {} {} at {} {} front {}\n", ++count, gnuplot_quoted(note.text),
                         place(layout, note.x, note.y), note.to_the_left ? "right" : "left", font(note_font));

@@ -121,6 +121,35 @@ TEST(Chart, PointsLieWhereTheLayoutHasThemInsideThePlot) {
   }
 }
 
+TEST(Chart, EveryTextIsOnTheCanvas) {
+  for (const double scale : {1e-7, 2e-4, 1.0, 3e6}) {
+    for (const AxisScale kind : {AxisScale::linear, AxisScale::logarithmic}) {
+      Chart chart = some_chart();
+      chart.y.scale = kind;
+      for (double& y : chart.series[0].y) y *= scale;
+      for (double& y : chart.series[1].y) y *= scale;
+      chart.bands.clear();
+      const ChartLayout layout = layout_of(chart);
+      std::size_t texts = 0;
+      visit(parsed(to_svg(chart)), [&](vtkXMLDataElement* element) {
+        if (element->FindNestedElementWithName("text") == nullptr) return;
+        Place at{};
+        ASSERT_EQ(std::sscanf(element->GetAttribute("transform"), "translate(%lf,%lf)", &at.x, &at.y), 2);
+        const std::string words = element->FindNestedElementWithName("text")->GetCharacterData();
+        const std::string anchor = element->GetAttribute("text-anchor");
+        const double width = text_width(words, chart_font);
+        const bool turned = std::string(element->GetAttribute("transform")).find("rotate") != std::string::npos;
+        const double before = turned || anchor == "start" ? 0.0 : anchor == "end" ? width : 0.5 * width;
+        EXPECT_GE(at.x - before, turned ? chart_font : 0.0) << words;
+        EXPECT_LE(at.x - before + (turned ? 0.0 : width), layout.width) << words;
+        EXPECT_LE(at.y, layout.height - 0.25 * chart_font) << words;
+        ++texts;
+      });
+      EXPECT_GT(texts, 8U);
+    }
+  }
+}
+
 TEST(Chart, ALimitThatWasAskedForCutsTheData) {
   Chart chart{.x = {.from = 0.0, .to = 2.0}};
   chart.series.push_back({.x = {1, 3}, .y = {1, 2}, .mark = ChartMark::points});
@@ -359,8 +388,9 @@ TEST(ChartTicks, LabelsAreTheirValues) {
   const auto ticks = log_ticks(1e-6, 1.0);
   EXPECT_EQ(ticks.front().label, "10⁻⁶");
   EXPECT_EQ(ticks.back().label, "1");
-  const auto few = log_ticks(1.5e5, 5e6);
-  EXPECT_EQ(few.front().label, "2×10⁵");
+  EXPECT_EQ(ticks[ticks.size() - 10].label, "10⁻¹");
+  EXPECT_EQ(log_ticks(1.5e5, 5e6).front().label, "2×10⁵");
+  EXPECT_EQ(log_ticks(1.5e-4, 5e-3).front().label, "0.0002");
 }
 
 // ---- a page
