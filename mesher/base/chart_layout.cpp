@@ -92,43 +92,76 @@ void find_ranges(const Chart& chart, ChartLayout& layout) {
 
 // ---- legend
 
-// Where there is ink: points, and steps along lines that no text slips between.
-void add_ink(std::vector<Point>& ink, const std::vector<double>& x, const std::vector<double>& y, bool joined,
-             const ChartLayout& layout) {
-  constexpr double step = 8.0;  // px
+// Where there is ink: places on the chart, at most one in each square of a few pixels, however many data there are.
+class Ink {
+public:
+  Ink(const Chart& chart, const ChartLayout& layout);
+  [[nodiscard]] std::ptrdiff_t count_in(const ChartBox& box) const {
+    return std::count_if(places_.begin(), places_.end(), [&](const Point& point) { return inside(point, box); });
+  }
+
+private:
+  static constexpr double square = 4.0, step = 8.0;  // px; no text slips between two steps along a line
+  void add(const Point& point) {
+    if (!inside(point, {0.0, 0.0, layout_.width, layout_.height})) return;
+    const auto column = static_cast<std::size_t>(point.x / square), row = static_cast<std::size_t>(point.y / square);
+    const std::size_t index = row * columns_ + column;
+    if (!taken_[index]) places_.push_back(point);
+    taken_[index] = true;
+  }
+  void add(const std::vector<double>& x, const std::vector<double>& y, bool joined);
+  void add(const ChartBand& band);
+
+  const ChartLayout& layout_;
+  std::size_t columns_;
+  std::vector<bool> taken_;
+  std::vector<Point> places_;
+};
+
+Ink::Ink(const Chart& chart, const ChartLayout& layout)
+    : layout_(layout),
+      columns_(static_cast<std::size_t>(layout.width / square) + 1),
+      taken_(columns_ * (static_cast<std::size_t>(layout.height / square) + 1)) {
+  for (const auto& band : chart.bands) add(band);
+  for (const auto& series : chart.series) {
+    add(series.x, series.y, series.mark != ChartMark::points);
+    add(series.x, series.y_low, false);
+    add(series.x, series.y_high, false);
+  }
+}
+
+void Ink::add(const std::vector<double>& x, const std::vector<double>& y, bool joined) {
   Point last{};
   bool follows = false;  // on `last`, with nothing undrawable between
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-    if (!layout.x.shows(x[i]) || !layout.y.shows(y[i])) {
+    if (!layout_.x.shows(x[i]) || !layout_.y.shows(y[i])) {
       follows = false;
       continue;
     }
-    const Point here{layout.x(x[i]), layout.y(y[i])};
-    // Far outside the plot a line needs no more steps than across it.
+    const Point here{layout_.x(x[i]), layout_.y(y[i])};
+    // A line that goes far beyond the chart needs no steps there.
     const double length = follows && joined ? std::hypot(here.x - last.x, here.y - last.y) : 0.0;
     const int steps = static_cast<int>(std::min(length, 1e4) / step);
     for (int k = 1; k <= steps; ++k) {
       const double part = static_cast<double>(k) / (steps + 1);
-      ink.push_back({last.x + part * (here.x - last.x), last.y + part * (here.y - last.y)});
+      add({last.x + part * (here.x - last.x), last.y + part * (here.y - last.y)});
     }
-    ink.push_back(here);
+    add(here);
     last = here;
     follows = true;
   }
 }
 
-std::vector<Point> ink_of(const Chart& chart, const ChartLayout& layout) {
-  std::vector<Point> ink;
-  for (const auto& band : chart.bands) {
-    add_ink(ink, band.x, band.low, true, layout);
-    add_ink(ink, band.x, band.high, true, layout);
+// Both edges and so many lines between them that no text slips between.
+void Ink::add(const ChartBand& band) {
+  constexpr int lines = 40;
+  for (int k = 0; k <= lines; ++k) {
+    const double part = static_cast<double>(k) / lines;
+    std::vector<double> y;
+    for (std::size_t i = 0; i < std::min(band.low.size(), band.high.size()); ++i)
+      y.push_back(band.low[i] + part * (band.high[i] - band.low[i]));
+    add(band.x, y, true);
   }
-  for (const auto& series : chart.series) {
-    add_ink(ink, series.x, series.y, series.mark != ChartMark::points, layout);
-    add_ink(ink, series.x, series.y_low, false, layout);
-    add_ink(ink, series.x, series.y_high, false, layout);
-  }
-  return ink;
 }
 
 std::vector<std::string> labels_of(const Chart& chart) {
@@ -140,7 +173,7 @@ std::vector<std::string> labels_of(const Chart& chart) {
   return labels;
 }
 
-void place_legend(const Chart& chart, const std::vector<Point>& ink, ChartLayout& layout) {
+void place_legend(const Chart& chart, const Ink& ink, ChartLayout& layout) {
   const auto labels = labels_of(chart);
   if (labels.empty()) return;
   double width = 0.0;
@@ -153,7 +186,7 @@ void place_legend(const Chart& chart, const std::vector<Point>& ink, ChartLayout
   const bool fits = width < 0.6 * (plot.right - plot.left) && height < 0.6 * (plot.bottom - plot.top);
   if (fits && labels.size() <= most_inside) {
     for (const ChartBox& box : {box_at(left, above), box_at(right, above), box_at(right, below), box_at(left, below)}) {
-      if (std::any_of(ink.begin(), ink.end(), [&](const Point& point) { return inside(point, box); })) continue;
+      if (ink.count_in(box) > 0) continue;
       layout.legend = box;
       return;
     }
@@ -185,7 +218,7 @@ ChartBox box_of(const Point& point, const Place& place, double width) {
   return {place.to_the_left ? x - width : x, y - half, place.to_the_left ? x : x + width, y + half};
 }
 
-void place_notes(const Chart& chart, const std::vector<Point>& ink, ChartLayout& layout) {
+void place_notes(const Chart& chart, const Ink& ink, ChartLayout& layout) {
   std::vector<ChartBox> taken;
   if (layout.legend) taken.push_back(*layout.legend);
   for (const auto& note : chart.notes) {
@@ -199,8 +232,8 @@ void place_notes(const Chart& chart, const std::vector<Point>& ink, ChartLayout&
       const bool beyond =
           box.left < plot.left || box.right > plot.right || box.top < plot.top || box.bottom > plot.bottom;
       const auto texts = std::count_if(taken.begin(), taken.end(), [&](const ChartBox& b) { return meet(b, box); });
-      const auto data = std::count_if(ink.begin(), ink.end(), [&](const Point& p) { return inside(p, box); });
-      return (beyond ? 1e4 : 0.0) + 1e2 * static_cast<double>(texts) + std::min(99.0, static_cast<double>(data));
+      return (beyond ? 1e4 : 0.0) + 1e2 * static_cast<double>(texts) +
+             std::min(99.0, static_cast<double>(ink.count_in(box)));
     };
     const Place& best = *std::min_element(places.begin(), places.end(),
                                           [&](const Place& a, const Place& b) { return cost(a) < cost(b); });
@@ -284,7 +317,7 @@ ChartLayout layout_of(const Chart& chart) {
   layout.height = chart.height;
   layout.plot = {margin_left, margin_top, chart.width - margin_right, chart.height - margin_bottom};
   find_ranges(chart, layout);
-  const auto ink = ink_of(chart, layout);
+  const Ink ink(chart, layout);
   place_legend(chart, ink, layout);
   place_notes(chart, ink, layout);
   return layout;

@@ -339,6 +339,28 @@ TEST(ChartLayout, TheLegendStandsBesideAFullOrCrowdedPlot) {
   }
 }
 
+TEST(ChartLayout, TheLegendCoversNoBand) {
+  Chart chart = rising();
+  chart.bands.push_back({.x = {0, 100}, .low = {0, 0}, .high = {100, 100}});
+  const auto layout = layout_of(chart);
+  EXPECT_GE(layout.legend->left, layout.plot.right);
+}
+
+// Of unstable runs: every line runs from far below the plot to far above.
+TEST(ChartLayout, WildDataCostNoMoreThanTheChartIsLarge) {
+  Chart chart = rising();
+  chart.y.to = 1.0;
+  chart.series[0].x.clear();
+  chart.series[0].y.clear();
+  for (int i = 0; i < 50000; ++i) {
+    chart.series[0].x.push_back(i);
+    chart.series[0].y.push_back(i % 2 == 0 ? 1e300 : -1e300);
+  }
+  const auto layout = layout_of(chart);
+  EXPECT_TRUE(std::isfinite(layout.y.from));
+  EXPECT_TRUE(parsed(to_svg(chart)));
+}
+
 TEST(ChartLayout, NotesStayInThePlotAndOffEachOther) {
   Chart chart{.x = {.scale = AxisScale::logarithmic}, .y = {.scale = AxisScale::logarithmic}};
   ChartSeries front{.label = "front", .mark = ChartMark::points};
