@@ -141,6 +141,9 @@ TEST_F(ExitCodes, WithoutGnuplotAChartIsFileTroubleAndANumberIsNot) {
   EXPECT_TRUE(says(failed.err, "gnuplot-nox")) << failed.err;
   EXPECT_FALSE(fs::exists(file("chart.svg"))) << "the older chart passes for a new one";
 
+  ASSERT_EQ(run("weaveform chart table.csv --output chart.html").exit_code, 0);
+  EXPECT_TRUE(weaveform::test::read_text(file("chart.html")).starts_with("<!DOCTYPE html>"));
+
   const std::string numbers = "weaveform unit-cell --increments 70 --output cell --quiet";
   ASSERT_EQ(run(numbers).err, "");
   fs::remove(file("cell/unit_cell.csv"));
