@@ -1,4 +1,4 @@
-// Where things go on a chart: the axes' ranges and ticks, the plot, the legend and the notes. Pixels are counted from
+// Where things go on a chart: the axes' ranges, the plot, the legend and the notes. Pixels are counted from
 // the upper left corner, y downwards.
 #pragma once
 
@@ -46,13 +46,5 @@ inline constexpr double chart_font = 13.0, note_font = 11.0;  // px
 
 // Width of a text in an average sans-serif font, px: an estimate, for nobody knows which font the viewer has.
 [[nodiscard]] double text_width(const std::string& text, double font_size);
-
-// A tick of a logarithmic axis; those without a label are short.
-struct ChartTick {
-  double value = 0.0;
-  std::string label = {};
-};
-// Powers of ten over many decades, more between over few, round steps within a part of one. At least two have labels.
-[[nodiscard]] std::vector<ChartTick> log_ticks(double from, double to);
 
 }  // namespace weaveform

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "mesher/base/chart_layout.hpp"
+#include "mesher/base/chart_ticks.hpp"
 
 namespace weaveform {
 namespace {
@@ -55,7 +56,7 @@ std::string font(double size) {
 // ---- data
 
 std::string number(double value) {
-  return fmt::format("{:.9g}", value);
+  return fmt::format("{:.12g}", value);
 }
 
 // A blank line, where something cannot be drawn, interrupts the line.

@@ -18,6 +18,7 @@
 
 #include "mesher/base/chart_layout.hpp"
 #include "mesher/base/chart_script.hpp"
+#include "mesher/base/chart_ticks.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/gnuplot.hpp"
 #include "solver/result/chart_file.hpp"
@@ -183,11 +184,12 @@ TEST(Chart, AValueThatCannotBeDrawnInterruptsTheLine) {
 }
 
 TEST(Chart, EmptyAndConstantDataStillGiveAxes) {
-  Chart constant, undrawable;
+  Chart constant, nearly, undrawable;
   constant.series.push_back({.x = {1, 2}, .y = {5, 5}});
+  nearly.series.push_back({.x = {1e6, 1e6 + 1e-2}, .y = {5, 5 + 1e-8}});
   undrawable.series.push_back({.label = "nothing", .x = {1, 2}, .y = {nan, nan}});
   for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic})
-    for (Chart chart : {Chart{}, constant, undrawable}) {
+    for (Chart chart : {Chart{}, constant, nearly, undrawable}) {
       chart.x.scale = chart.y.scale = scale;
       const auto texts = contents_of(to_svg(chart), "text");
       EXPECT_GE(texts.size(), 4U) << "ticks";
