@@ -12,6 +12,7 @@
 
 #include "mesher/base/chart.hpp"
 #include "mesher/lattice/build.hpp"
+#include "solver/result/chart_file.hpp"
 #include "solver/result/whole_file.hpp"
 #include "solver/solve.hpp"
 #include "tests/support/bending_cases.hpp"
@@ -186,7 +187,7 @@ int main(int count, char** arguments) {
   std::filesystem::create_directories(folder);
   write_text_whole(folder / "closed_forms.csv", error_csv(lines));
   write_text_whole(folder / "time.csv", cost_csv(costs));
-  write_text_whole(folder / "error.svg", to_svg(error_chart(lines)));
-  write_text_whole(folder / "time.svg", to_svg(time_chart(lines, costs)));
+  write_chart(folder / "error.svg", error_chart(lines));
+  write_chart(folder / "time.svg", time_chart(lines, costs));
   fmt::print("{}\n{}", error_table(lines), cost_csv(costs));
 }

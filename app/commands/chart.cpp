@@ -1,4 +1,5 @@
-// weaveform chart FILE...: columns of delimited files over one another as SVG, e.g. measured over predicted loads.
+// weaveform chart FILE...: columns of delimited files over one another as SVG or HTML, e.g. measured over predicted
+// loads.
 #include "mesher/base/chart.hpp"
 
 #include <cstddef>
@@ -43,17 +44,23 @@ void draw(const ChartArguments& arguments) {
     if (index >= colours) series.mark = ChartMark::dashed;
     chart.series.push_back(std::move(series));
   }
-  write_text_whole(arguments.output, to_svg(chart));
+  // The chart is all that is asked for, so that no gnuplot is an error here; and an older chart must not pass for this
+  // one.
+  const std::filesystem::path output = arguments.output;
+  std::filesystem::remove(output);
+  write_text_whole(output, output.extension() == ".html" ? to_html(chart.title, {chart}) : to_svg(chart));
 }
 
 }  // namespace
 
 void add_chart_command(CLI::App& program) {
-  auto* command = program.add_subcommand("chart", "Draw columns of tables over one another (SVG)");
+  auto* command = program.add_subcommand("chart", "Draw columns of tables over one another (SVG, HTML), by gnuplot");
   const auto arguments = std::make_shared<ChartArguments>();
   command->add_option("FILE", arguments->files, "Tables: CSV, or columns between blanks; each is a series, in order")
       ->required();
-  command->add_option("-o,--output", arguments->output, "The chart")->type_name("FILE.svg")->required();
+  command->add_option("-o,--output", arguments->output, "The chart; a web page when it ends in .html")
+      ->type_name("FILE.svg")
+      ->required();
   command->add_option("--x", arguments->x, "Column along x: a heading, or its number from 1 (default 1)");
   command->add_option("--y", arguments->y, "Column along y (default 2)");
   command->add_option("--title", arguments->title, "Above the chart");

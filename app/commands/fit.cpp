@@ -8,6 +8,7 @@
 #include "app/console.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/material/identify/identify.hpp"
+#include "solver/result/chart_file.hpp"
 #include "solver/result/whole_file.hpp"
 
 namespace weaveform {
@@ -31,7 +32,12 @@ void fit(const FitArguments& arguments) {
   if (!arguments.quiet) {
     for (const auto& warning : found.warnings) log_line("warning: " + warning);
   }
-  for (const auto& output : identify::output_files(found)) write_text_whole(directory / output.name, output.text);
+  for (const auto& output : identify::output_files(found)) {
+    if (output.chart)
+      write_chart(directory / output.name, *output.chart);
+    else
+      write_text_whole(directory / output.name, output.text);
+  }
   if (arguments.quiet) return;
   print_answer(identify::summary_markdown(found));
   log_line(fmt::format("card: {}, report: {}", (directory / "card.toml").string(), (directory / "report.md").string()));

@@ -13,6 +13,7 @@
 #include "mesher/scene/scene.hpp"
 #include "post/unit_cell/report.hpp"
 #include "post/unit_cell/study.hpp"
+#include "solver/result/chart_file.hpp"
 #include "solver/result/whole_file.hpp"
 
 namespace weaveform {
@@ -38,8 +39,8 @@ void unit_cell(const UnitCellArguments& arguments) {
                                               : std::filesystem::path(arguments.output);
   write_text_whole(directory / "unit_cell.csv", unit_cell_csv(study));
   write_text_whole(directory / "unit_cell.md", unit_cell_markdown(study, version_line()));
-  write_text_whole(directory / "unit_cell.svg", to_svg(unit_cell_chart(study)));
-  write_text_whole(directory / "unit_cell_error.svg", to_svg(unit_cell_error_chart(study)));
+  write_chart(directory / "unit_cell.svg", unit_cell_chart(study));
+  write_chart(directory / "unit_cell_error.svg", unit_cell_error_chart(study));
   if (arguments.quiet) return;
   print_answer(unit_cell_table(study));
   log_line(fmt::format("table, report, charts: {}/unit_cell.csv, .md, .svg, unit_cell_error.svg", directory.string()));

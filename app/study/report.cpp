@@ -11,6 +11,7 @@
 #include "app/study/work_precision.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/scene/reader.hpp"
+#include "solver/result/chart_file.hpp"
 #include "solver/result/whole_file.hpp"
 
 namespace weaveform::study {
@@ -133,7 +134,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
     const auto charts = work_precision_of(study, measures.charted, convergence, table, report.complaints);
     write_text_whole(study_folder / "work_precision.csv", work_precision_csv(charts, table));
     for (const WorkPrecision& one : charts) {
-      write_text_whole(study_folder / chart_name(one.measure), to_svg(work_precision_chart(one, table)));
+      write_chart(study_folder / chart_name(one.measure), work_precision_chart(one, table));
       report.answer += fmt::format("\nPareto front of {}, time against error:\n", one.measure);
       for (const WorkPoint& point : one.point)
         if (point.on_front)

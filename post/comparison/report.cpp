@@ -7,6 +7,7 @@
 
 #include "mesher/base/chart.hpp"
 #include "post/comparison/compare.hpp"
+#include "solver/result/chart_file.hpp"
 #include "solver/result/whole_file.hpp"
 
 namespace weaveform::dic {
@@ -253,9 +254,9 @@ void write_report(const Comparison& c, const fs::path& output) {
   if (!c.stage.front().line.empty()) write_text_whole(output / "lines.csv", lines_csv(c));
   if (c.load) {
     write_text_whole(output / "loads.csv", loads_csv(*c.load));
-    write_text_whole(output / "loads.svg", to_svg(load_chart(c)));
+    write_chart(output / "loads.svg", load_chart(c));
   }
-  write_text_whole(output / "angles.svg", to_svg(angle_chart(c)));
+  write_chart(output / "angles.svg", angle_chart(c));
   // Names from headers may be in any encoding; what is not UTF-8 becomes a replacement character.
   const std::string text = comparison_json(c).dump(2, ' ', false, Json::error_handler_t::replace);
   write_text_whole(output / "comparison.json", text + "\n");

@@ -17,6 +17,7 @@
 #include "mesher/base/chart.hpp"
 #include "mesher/drape/sphere_net.hpp"
 #include "post/forming/forming.hpp"
+#include "solver/result/chart_file.hpp"
 #include "solver/result/whole_file.hpp"
 
 namespace weaveform {
@@ -47,7 +48,7 @@ void write_meridians(const Forming& forming, const fs::path& directory) {
     chart.series.push_back(series);
   }
   write_text_whole(directory / "meridians.csv", table);
-  write_text_whole(directory / "meridians.svg", to_svg(chart));
+  write_chart(directory / "meridians.svg", chart);
 }
 
 void write_polydata(vtkPolyData& data, const fs::path& file) {
@@ -141,7 +142,7 @@ void write_punch_chart(const PunchCurve& punch, const fs::path& file) {
                             .x = punch.travel,
                             .y = punch.force[t],
                             .mark = static_cast<int>(t) == punch.punch_number ? ChartMark::line : ChartMark::dashed});
-  write_text_whole(file, to_svg(chart));
+  write_chart(file, chart);
 }
 
 void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
@@ -168,7 +169,7 @@ void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
   chart.y.title = "shear angle (deg)";
   chart.series = {off, on, net};
   write_text_whole(directory / "sphere_net.csv", table);
-  write_text_whole(directory / "sphere_net.svg", to_svg(chart));
+  write_chart(directory / "sphere_net.svg", chart);
 }
 
 }  // namespace

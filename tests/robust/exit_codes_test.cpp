@@ -131,6 +131,30 @@ TEST_F(ExitCodes, QuietRunPrintsNothing) {
   EXPECT_EQ(result.out + result.err, "");
 }
 
+// Charts are drawn by gnuplot, which may be missing.
+TEST_F(ExitCodes, WithoutGnuplotAChartIsFileTroubleAndANumberIsNot) {
+  write_text("x,y\n1,2\n2,3\n", file("table.csv"));
+  const std::string chart = "weaveform chart table.csv --output chart.svg";
+  ASSERT_EQ(run(chart).exit_code, 0);
+  const auto failed = run("PATH=/nowhere; " + chart);
+  EXPECT_EQ(failed.exit_code, 4) << failed.err;
+  EXPECT_TRUE(says(failed.err, "gnuplot-nox")) << failed.err;
+  EXPECT_FALSE(fs::exists(file("chart.svg"))) << "the older chart passes for a new one";
+
+  ASSERT_EQ(run("weaveform chart table.csv --output chart.html").exit_code, 0);
+  EXPECT_TRUE(weaveform::test::read_text(file("chart.html")).starts_with("<!DOCTYPE html>"));
+
+  const std::string numbers = "weaveform unit-cell --increments 70 --output cell --quiet";
+  ASSERT_EQ(run(numbers).err, "");
+  fs::remove(file("cell/unit_cell.csv"));
+  const auto done = run("PATH=/nowhere; " + numbers);
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_TRUE(done.err.starts_with("warning: ")) << done.err;
+  EXPECT_EQ(done.err.find('\n') + 1, done.err.size()) << "said once for two charts";
+  EXPECT_TRUE(fs::exists(file("cell/unit_cell.csv")));
+  EXPECT_FALSE(fs::exists(file("cell/unit_cell.svg")) || fs::exists(file("cell/unit_cell_error.svg")));
+}
+
 TEST_F(ExitCodes, LogNamesProgramAndEveryValue) {
   const auto result = run("weaveform mesh tiny.toml --output out");
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/base/chart.hpp"
 #include "mesher/material/identify/fit_spec.hpp"
 #include "mesher/material/identify/shear_fit.hpp"
 #include "mesher/material/identify/tension_fit.hpp"
@@ -31,10 +32,11 @@ struct Identification {
 // Throws InputError: whatever is wrong in the fit file or in a test file, all test files at once; FileError.
 [[nodiscard]] Identification identify(const FitSpec& spec);
 
-// A file of the answer, to be written under its name.
+// A file of the answer, to be written under its name: a text or a chart.
 struct OutputFile {
   std::string name;
-  std::string text;
+  std::string text = {};
+  std::optional<Chart> chart = {};
 };
 
 // card.toml, report.md, report.json, and for each kind of test a table (.csv) and a chart (.svg) of data, fit and band.

@@ -227,23 +227,24 @@ std::vector<OutputFile> output_files(const Identification& found) {
   std::vector<OutputFile> files;
   for (std::size_t i = 0; i < found.yarns.size(); ++i) {
     const YarnFit& fit = found.yarns[i];
-    files.push_back({fit.test + ".csv", yarn_csv(fit, crimp_of(found, i))});
-    files.push_back({fit.test + ".svg", to_svg(yarn_chart(fit, crimp_of(found, i), confidence))});
+    files.push_back({.name = fit.test + ".csv", .text = yarn_csv(fit, crimp_of(found, i))});
+    files.push_back({.name = fit.test + ".svg", .chart = yarn_chart(fit, crimp_of(found, i), confidence)});
   }
   if (found.frame) {
-    files.push_back({"shear_frame.csv", shear_csv(*found.frame, false)});
-    files.push_back({"shear_frame.svg", to_svg(shear_chart(*found.frame, "shear frame: stress and law", confidence))});
+    files.push_back({.name = "shear_frame.csv", .text = shear_csv(*found.frame, false)});
+    files.push_back(
+        {.name = "shear_frame.svg", .chart = shear_chart(*found.frame, "shear frame: stress and law", confidence)});
   }
   if (found.bias) {
-    files.push_back({"bias_extension.csv", shear_csv(*found.bias, true)});
+    files.push_back({.name = "bias_extension.csv", .text = shear_csv(*found.bias, true)});
     files.push_back(
-        {"bias_extension.svg", to_svg(shear_chart(*found.bias, "shear law from bias extension", confidence))});
-    files.push_back({"bias_extension_load.svg", to_svg(load_chart(*found.bias))});
+        {.name = "bias_extension.svg", .chart = shear_chart(*found.bias, "shear law from bias extension", confidence)});
+    files.push_back({.name = "bias_extension_load.svg", .chart = load_chart(*found.bias)});
   }
-  files.push_back({"report.md", report_markdown(found)});
-  files.push_back({"report.json", report_json(found)});
+  files.push_back({.name = "report.md", .text = report_markdown(found)});
+  files.push_back({.name = "report.json", .text = report_json(found)});
   // The card last: whoever finds one finds its report beside it.
-  files.push_back({"card.toml", found.card_text});
+  files.push_back({.name = "card.toml", .text = found.card_text});
   return files;
 }
 
