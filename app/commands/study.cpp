@@ -64,7 +64,8 @@ void study_command(const StudyArguments& arguments) {
     return;
   }
   if (!arguments.collect) run_all(arguments, plan, cases, directory);
-  const study::Report report = study::write_report(plan, directory);
+  const study::Report report =
+      plan.border ? study::write_border_report(plan, directory) : study::write_report(plan, cases, directory);
   if (!arguments.quiet) {
     print_answer(report.answer);
     for (const std::string& line : report.complaints) log_line("warning: " + line);

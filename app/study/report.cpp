@@ -122,7 +122,9 @@ void write_work_precision(const Study& study, const Measures& measures, const st
   report.answer += "\n" + text;
 }
 
-Report write_borders(const Study& study, const fs::path& study_folder) {
+}  // namespace
+
+Report write_border_report(const Study& study, const fs::path& study_folder) {
   Report report;
   const auto groups = find_borders(study, study_folder);
   std::vector<Case> cases;
@@ -143,13 +145,10 @@ Report write_borders(const Study& study, const fs::path& study_folder) {
   return report;
 }
 
-}  // namespace
-
-Report write_report(const Study& study, const fs::path& study_folder) {
-  if (study.border) return write_borders(study, study_folder);
+Report write_report(const Study& study, const std::vector<Case>& cases, const fs::path& study_folder) {
   Report report;
   const Measures measures = measures_of(study);
-  const Table table = collect(study, expand(study), measures.all, study_folder, report.complaints);
+  const Table table = collect(study, cases, measures.all, study_folder, report.complaints);
   count(table, report);
   check_versions(table, study_folder, report);
   report.answer = to_markdown(table, measures.columns);

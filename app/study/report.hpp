@@ -31,7 +31,8 @@ struct Report {
   std::vector<std::string> complaints;  // what could not be said
 };
 
-// Writes the files. Throws FileError, InputError.
-Report write_report(const Study& study, const std::filesystem::path& study_folder);
+// Writes the files, of a study without and with [border]. Throws FileError, InputError.
+Report write_report(const Study& study, const std::vector<Case>& cases, const std::filesystem::path& study_folder);
+Report write_border_report(const Study& study, const std::filesystem::path& study_folder);
 
 }  // namespace weaveform::study
