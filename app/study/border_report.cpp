@@ -65,7 +65,7 @@ struct BorderPoint {
 };
 
 AxisScale scale_of(double least, double greatest) {
-  return least > 0.0 && greatest > 10.0 * least ? AxisScale::logarithmic : AxisScale::linear;
+  return least > 0.0 && greatest >= 10.0 * least ? AxisScale::logarithmic : AxisScale::linear;
 }
 
 void set_scales(Chart& chart, const std::map<std::string, std::vector<BorderPoint>>& series) {

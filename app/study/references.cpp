@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "mesher/base/error.hpp"
 #include "mesher/base/nearest_name.hpp"
@@ -98,14 +99,25 @@ std::optional<Reference> limit_of(const ConvergenceOf& group, std::vector<std::s
   return Reference{found.limit, found.uncertainty};
 }
 
-References to_own_limits(const std::string& measure, const std::vector<ConvergenceOf>& convergence, const Table& table,
+References to_own_limits(const std::string& key, const std::string& measure,
+                         const std::vector<ConvergenceOf>& convergence, const Table& table,
                          std::vector<std::string>& complaints) {
   References all(table.row.size());
+  std::set<std::string> refined;
   for (const ConvergenceOf& group : convergence) {
     if (group.measure != measure) continue;
+    refined.insert(group.group);
     const auto reference = limit_of(group, complaints);
     for (const LevelRow& level : group.level) all[level.row] = reference;
   }
+  const auto alone = std::count_if(table.row.begin(), table.row.end(), [&](const Row& row) {
+    return is_done(row) && !refined.contains(group_of(row.one, key));
+  });
+  if (alone > 0)
+    complaints.push_back(
+        fmt::format("work precision of {}: {} cases are in no refinement series and have no limit of "
+                    "their own; [work_precision.limit_of] judges them by that of a series",
+                    measure, alone));
   return all;
 }
 
@@ -138,7 +150,7 @@ std::vector<std::optional<Reference>> references(const Study& study, const std::
   if (study.work_precision->reference == "case") return to_case(study, measure, table);
   if (study.work_precision->reference == "value") return to_values(study, measure, table);
   if (study.reference.limit_of) return to_limit_of(study, measure, convergence, table, complaints);
-  return to_own_limits(measure, convergence, table, complaints);
+  return to_own_limits(study.convergence->key, measure, convergence, table, complaints);
 }
 
 void check_reference_measures(const Study& study, const std::vector<std::string>& charted) {

@@ -63,6 +63,7 @@ TEST(WorkPrecision, AReferenceCaseHasNoErrorOfItsOwn) {
 
 TEST(WorkPrecision, WithoutALimitSaysSo) {
   Study study;
+  study.convergence = by_coarsening;
   study.work_precision.emplace();
   Table table = two_laws();
   table.row[2].value = {90.0};
@@ -72,6 +73,20 @@ TEST(WorkPrecision, WithoutALimitSaysSo) {
   ASSERT_EQ(complaints.size(), 1U);
   EXPECT_NE(complaints[0].find("do not agree"), std::string::npos) << complaints[0];
   EXPECT_GT(all.at(0).point.at(3).floor, 0.05) << "what stands for it is as uncertain as it is";
+}
+
+TEST(WorkPrecision, CasesAloneAreToldOf) {
+  Study study;
+  study.convergence = by_coarsening;
+  study.work_precision.emplace();
+  Table table = two_laws();
+  table.row.resize(5);  // one law at one coarsening: refined by nothing
+  std::vector<std::string> complaints;
+  const auto convergence = convergence_of(by_coarsening, {"force"}, table);
+  EXPECT_EQ(convergence.size(), 1U);
+  EXPECT_EQ(work_precision_of(study, {"force"}, convergence, table, complaints).at(0).point.size(), 4U);
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_TRUE(says(complaints[0], "1 cases are in no refinement series")) << complaints[0];
 }
 
 TEST(WorkPrecision, ChartNamesAreFileNames) {
