@@ -55,14 +55,17 @@ const std::vector<Key<WorkPrecisionSpec>>& work_precision_keys() {
            .doc = "what errors are relative to: the limit that [convergence] finds; the case that "
                   "[work_precision.case] picks; the numbers or other measures (closed forms) of "
                   "[work_precision.value]"}),
-      key<&WorkPrecisionSpec::absolute>(
-          {.name = "absolute", .doc = "measures whose error is told in their own unit (angles), not relative"}),
-      key<&WorkPrecisionSpec::within>({.name = "within",
-                                       .unit = "1",
-                                       .limits = above(0, 1),
-                                       .doc = "relative errors for which the cheapest case is told"}),
+      key<&WorkPrecisionSpec::absolute>({.name = "absolute",
+                                         .doc = "measures whose error is told in their own unit (angles), not "
+                                                "relative; without a unit at the end of their name "
+                                                "they are pure numbers (errors themselves) and told in %"}),
+      key<&WorkPrecisionSpec::within>(
+          {.name = "within",
+           .unit = "1",
+           .limits = above(0, 1),
+           .doc = "errors for which the cheapest case is told, of relative ones and of pure numbers"}),
       key<&WorkPrecisionSpec::within_absolute>(
-          {.name = "within_absolute", .limits = above(0), .doc = "the same of `absolute` measures, in their unit"}),
+          {.name = "within_absolute", .limits = above(0), .doc = "the same of `absolute` measures that have a unit"}),
   };
   return keys;
 }

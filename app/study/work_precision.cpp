@@ -32,9 +32,9 @@ std::string unit_of(const std::string& measure) {
   std::string name = measure;
   if (name.ends_with(')')) name.pop_back();
   const auto bar = name.rfind('_');
-  if (bar == std::string::npos) return "";
+  if (bar == std::string::npos) return "%";
   const std::string unit = name.substr(bar + 1);
-  return std::find(units.begin(), units.end(), unit) != units.end() ? unit : "";
+  return std::find(units.begin(), units.end(), unit) != units.end() ? unit : "%";
 }
 
 std::vector<WorkPrecision> work_precision_of(const Study& study, const std::vector<std::string>& measures,
@@ -44,13 +44,13 @@ std::vector<WorkPrecision> work_precision_of(const Study& study, const std::vect
   std::vector<WorkPrecision> all;
   for (const std::string& measure : measures) {
     WorkPrecision one{measure, {}};
-    one.absolute = std::find(absolute.begin(), absolute.end(), measure) != absolute.end();
-    if (one.absolute) one.unit = unit_of(measure);
+    const bool is_absolute = std::find(absolute.begin(), absolute.end(), measure) != absolute.end();
+    if (is_absolute) one.unit = unit_of(measure);
     const auto reference = references(study, measure, convergence, table, complaints);
     const std::size_t column = column_of(table, measure);
     for (std::size_t i = 0; i < table.row.size(); ++i)
       if (reference[i])
-        one.point.push_back(point_of(i, table.row[i], table.row[i].value[column], *reference[i], one.absolute));
+        one.point.push_back(point_of(i, table.row[i], table.row[i].value[column], *reference[i], is_absolute));
     mark_front(one);
     if (!one.point.empty()) all.push_back(std::move(one));
   }

@@ -24,8 +24,8 @@ struct WorkPoint {
 struct WorkPrecision {
   std::string measure;
   std::vector<WorkPoint> point;
-  bool absolute = false;
-  std::string unit = "%";  // of errors told to people, 100 times a relative one
+  std::string unit = "%";  // of errors told to people; "%": errors are relative, or those of a pure number
+  [[nodiscard]] bool in_percent() const { return unit == "%"; }
 };
 
 // Of every done case that has a reference (references.hpp), which tells in `complaints` what has none. Throws
@@ -39,7 +39,8 @@ struct WorkPrecision {
 [[nodiscard]] const WorkPoint* cheapest_within(const WorkPrecision& one, const Table& table, const std::string& series,
                                                double tolerance);
 
-// "deg" of "measures.center.shear_angle_deg" or "max(top.shear_angle_deg)"; "" when the name tells no unit.
+// "deg" of "measures.center.shear_angle_deg" or "max(top.shear_angle_deg)"; "%" when the name tells no unit: a pure
+// number.
 [[nodiscard]] std::string unit_of(const std::string& measure);
 
 }  // namespace weaveform::study

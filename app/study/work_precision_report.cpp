@@ -17,11 +17,11 @@ std::vector<WorkPoint> in_order_of_time(const WorkPrecision& one) {
 
 // As errors are told to people: in percent, or in the measure's unit.
 double shown(const WorkPrecision& one, double error) {
-  return one.absolute ? error : 100.0 * error;
+  return one.in_percent() ? 100.0 * error : error;
 }
 
 std::string error_words(const WorkPrecision& one, double error) {
-  return fmt::format("{:.3g}{}{}", shown(one, error), one.unit.empty() ? "" : " ", one.unit);
+  return fmt::format("{:.3g} {}", shown(one, error), one.unit);
 }
 
 // In the order of the table; "" for cases without one.
@@ -85,8 +85,7 @@ Chart work_precision_chart(const WorkPrecision& one, const Table& table) {
   Chart chart;
   chart.title = one.measure;
   chart.x = {.title = "time of the solve (s)", .scale = AxisScale::logarithmic};
-  chart.y = {.title = one.unit.empty() ? "error" : fmt::format("error ({})", one.unit),
-             .scale = AxisScale::logarithmic};
+  chart.y = {.title = fmt::format("error ({})", one.unit), .scale = AxisScale::logarithmic};
   const std::vector<WorkPoint> sorted = in_order_of_time(one);
   ChartSeries front{.label = "Pareto front"};
   ChartSeries floor{.label = "uncertainty of the reference", .mark = ChartMark::dashed};
@@ -120,7 +119,7 @@ std::string work_precision_markdown(const WorkPrecisionSpec& spec, const std::ve
   std::string text = "Time against error\n";
   for (const WorkPrecision& one : all)
     text += fmt::format("\n{}\n\n{}\n{}", one.measure, front_table(one, table),
-                        choice_table(one, table, one.absolute ? spec.within_absolute : spec.within));
+                        choice_table(one, table, one.in_percent() ? spec.within : spec.within_absolute));
   return text;
 }
 
@@ -135,7 +134,7 @@ std::string work_precision_csv(const std::vector<WorkPrecision>& all, const Tabl
       text += csv_field(one.measure) + "," + row.one.name + "," + csv_field(row.one.series);
       for (const std::string& key : table.keys) add_field(text, csv_field(plain_value(row.one, key)));
       text += fmt::format(",{},{},{},{},{},{},{},{}\n", csv_number(point.time, 4), csv_number(row.value[column]),
-                          csv_number(point.reference), csv_number(point.error, 6), one.absolute ? one.unit : "1",
+                          csv_number(point.reference), csv_number(point.error, 6), one.in_percent() ? "1" : one.unit,
                           csv_number(point.floor, 6), point.within_uncertainty() ? 1 : 0, point.on_front ? 1 : 0);
     }
   }

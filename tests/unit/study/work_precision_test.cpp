@@ -149,12 +149,26 @@ TEST(WorkPrecision, AbsoluteErrorsAreInTheMeasuresUnit) {
   EXPECT_NEAR(one.point.at(0).error, 8.0, 1e-12);
   EXPECT_EQ(unit_of("max(top.shear_angle_deg)"), "deg");
   EXPECT_EQ(unit_of("grips.top.force_N"), "N");
-  EXPECT_EQ(unit_of("energy_error"), "") << "no unit is made up";
+  EXPECT_EQ(unit_of("energy_error"), "%") << "a pure number";
   WorkPrecision angle = one;
   angle.unit = "deg";
   EXPECT_EQ(work_precision_chart(angle, two_laws()).y.title, "error (deg)");
   EXPECT_TRUE(says(work_precision_markdown(*study.work_precision, {angle}, two_laws()),
                    "cheapest within | 2 deg | 1 deg | 0.5 deg |"));
+}
+
+// A measure that is itself an error has 0 for its reference.
+TEST(WorkPrecision, PureNumbersMayBeErrorsThemselves) {
+  Study study = with_reference("value");
+  study.work_precision->absolute = {"force"};
+  study.reference.value = {{"force", 0.0, "", {}}};
+  Table table = two_laws();
+  table.row.resize(4);
+  for (std::size_t i = 0; i < 4; ++i) table.row[i].value = {0.04 / (1.0 + static_cast<double>(i))};
+  const WorkPrecision one = points(study, table);
+  EXPECT_NEAR(one.point.at(0).error, 0.04, 1e-15);
+  EXPECT_TRUE(says(work_precision_markdown(*study.work_precision, {one}, table),
+                   "| all | coarsening 8: 0.00195 s | coarsening 4: 0.0156 s | coarsening 1: 1 s |"));
 }
 
 // Costs rise from row 0 to 3; row 1 is nearest to the reference by luck, within what is known of it.
