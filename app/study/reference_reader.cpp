@@ -24,7 +24,7 @@ const toml::table* below_at(const toml::table& table, const std::string& name, C
 }
 
 Variant pick_at(const toml::table& table, const Study& study, Complaints& complaints) {
-  const Variant pick = variant_of(table, complaints);
+  Variant pick = variant_of(table, complaints);
   const auto varied = varied_keys(study);
   for (const Setting& setting : pick.settings)
     if (std::find(varied.begin(), varied.end(), setting.key) == varied.end())

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "app/study/border_run.hpp"
 #include "app/study/cases.hpp"
 #include "app/study/report.hpp"
 #include "app/study/study_spec.hpp"
@@ -123,6 +124,23 @@ TEST_F(StudyFile, ComplaintsPointIntoTheStudyFile) {
 
 TEST_F(StudyFile, AllComplaintsComeAtOnce) {
   EXPECT_EQ(complaints("[grid]\nblank.coarsening = [4, -1]\noutput.frames = [-2, 3]\n").size(), 2U);
+}
+
+// Those that take minutes are run by no test: their scenes and tables at least are in order.
+TEST(StudyFiles, OfTheProjectAreInOrder) {
+  const std::filesystem::path root = WEAVEFORM_SOURCE_DIR;
+  int count = 0;
+  for (const auto& folder : {root / "examples" / "studies", root / "bench" / "accuracy"})
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      // Scenes of studies lie beside them.
+      if (entry.path().extension() != ".toml" || read_text_file(entry.path()).find("\nscene = ") == std::string::npos)
+        continue;
+      const Study study = read_study(entry.path());
+      EXPECT_FALSE((study.border ? border_ends(study) : expand(study)).empty()) << entry.path();
+      EXPECT_FALSE(measures_of(study).all.empty()) << entry.path();
+      ++count;
+    }
+  EXPECT_GE(count, 5);
 }
 
 TEST_F(StudyFile, KeysBelongToOneAxis) {
