@@ -57,6 +57,7 @@ std::string post_process(const fs::path& directory) {
   summary.measure = summarise_measures(scene, history);
   if (const auto specimen = find_bias_extension(scene))
     summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
+  if (scene.frame) summary.frame = compare_shear_frame(scene, card, history);
   summary.forming = evaluate_forming(scene, mesh, end, history);
   if (summary.forming) write_forming(*summary.forming, mesh, end, directory);
   summary.warning = warnings({scene, card, mesh, end, history, summary});

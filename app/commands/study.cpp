@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/study/border_run.hpp"
 #include "app/study/report.hpp"
 #include "app/study/runner.hpp"
 #include "app/study/snakemake.hpp"
@@ -36,11 +37,15 @@ void run_all(const StudyArguments& arguments, const study::Study& plan, const st
   study::RunOptions options;
   options.jobs = jobs_of(arguments, plan);
   options.threads = plan.head.threads;
+  options.repeats = plan.head.repeats;
   options.retry = arguments.retry;
   if (!arguments.quiet) options.log = log_line;
   options.first_done = [&](const study::Case& done) { study::check_measures(plan, measures, done, directory); };
-  if (!arguments.quiet) log_line(fmt::format("study: {} cases, {} at a time", cases.size(), options.jobs));
-  const int run = study::run_cases(cases, directory, options);
+  if (!arguments.quiet)
+    log_line(fmt::format("study: {} cases{}, {} at a time", cases.size(),
+                         plan.border ? " at the ends of what is bisected" : "", options.jobs));
+  const int run =
+      plan.border ? study::run_borders(plan, directory, options) : study::run_cases(cases, directory, options);
   if (!arguments.quiet && run == 0) log_line("every case has been run before");
 }
 
@@ -48,7 +53,7 @@ void study_command(const StudyArguments& arguments) {
   if (arguments.keys) return print_answer(study::study_reference_markdown());
   if (arguments.file.empty()) throw InputError("STUDY is required; 'weaveform study --help' tells more");
   const study::Study plan = study::read_study(arguments.file);
-  const std::vector<study::Case> cases = study::expand(plan);
+  const std::vector<study::Case> cases = plan.border ? study::border_ends(plan) : study::expand(plan);
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / plan.file.stem()
                                                                    : std::filesystem::path(arguments.output);
   if (!arguments.format.empty()) {
@@ -59,13 +64,16 @@ void study_command(const StudyArguments& arguments) {
     return;
   }
   if (!arguments.collect) run_all(arguments, plan, cases, directory);
-  const study::Report report = study::write_report(plan, cases, directory);
+  const study::Report report =
+      plan.border ? study::write_border_report(plan, directory) : study::write_report(plan, cases, directory);
   if (!arguments.quiet) {
     print_answer(report.answer);
     for (const std::string& line : report.complaints) log_line("warning: " + line);
     log_line(fmt::format("{} done, {} failed, {} not run; table: {}", report.done, report.failed, report.missing,
                          (directory / "study.csv").string()));
   }
+  if (plan.border && report.borders == 0)
+    throw PhysicsError(fmt::format("{}: no border is found; why is in border.csv", directory.string()));
   if (report.done == 0)
     throw PhysicsError(fmt::format("{}: no case is done; how each ended is in the table", directory.string()));
 }

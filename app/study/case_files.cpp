@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <sstream>
 
+#include "app/study/measure.hpp"
 #include "mesher/base/error.hpp"
 #include "solver/result/whole_file.hpp"
 
@@ -30,12 +32,31 @@ std::string without_folder(std::string line, const std::string& name) {
 
 CaseFiles case_files(const std::filesystem::path& study_folder, const std::string& name) {
   const std::filesystem::path folder = study_folder / "cases";
-  return {folder / (name + ".toml"), folder / name, folder / (name + ".exit"), folder / (name + ".log")};
+  return {folder / (name + ".toml"), folder / name, folder / (name + ".exit"), folder / (name + ".log"),
+          folder / (name + ".walls")};
 }
 
 bool is_final(int exit_code) {
   return exit_code == static_cast<int>(ExitCode::done) || exit_code == static_cast<int>(ExitCode::input) ||
          exit_code == static_cast<int>(ExitCode::physics);
+}
+
+std::vector<double> walls_of(const CaseFiles& files) {
+  std::vector<double> walls;
+  if (!std::filesystem::exists(files.walls)) return walls;
+  std::istringstream lines(read_text(files.walls));
+  for (double wall = 0.0; lines >> wall;) walls.push_back(wall);
+  if (!lines.eof())
+    throw InputError(fmt::format("{}: not a list of times; remove it and run the study again", files.walls.string()));
+  return walls;
+}
+
+double wall_of(const CaseFiles& files) {
+  std::vector<double> walls = walls_of(files);
+  if (walls.empty()) return measure(files.results, "wall_s");
+  std::sort(walls.begin(), walls.end());
+  const std::size_t half = walls.size() / 2;
+  return walls.size() % 2 == 1 ? walls[half] : 0.5 * (walls[half - 1] + walls[half]);
 }
 
 std::string error_line(const std::filesystem::path& log, int exit_code) {

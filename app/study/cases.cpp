@@ -27,15 +27,16 @@ std::string file_line(const std::filesystem::path& file) {
   return fmt::format("# {}: digest {:016x}\n", file.string(), digest(read_text_file(file)));
 }
 
-// All points of the product that begin with `settings`, from the given axis on.
-void combine(const std::vector<Axis>& axes, std::size_t axis, const Settings& settings, std::vector<Settings>& all) {
+// All points of the product that begin with `variant`, from the given axis on.
+void combine(const std::vector<Axis>& axes, std::size_t axis, const Variant& variant, std::vector<Variant>& all) {
   if (axis == axes.size()) {
-    all.push_back(settings);
+    all.push_back(variant);
     return;
   }
-  for (const Settings& point : axes[axis].point) {
-    Settings joined = settings;
-    joined.insert(joined.end(), point.begin(), point.end());
+  for (const Variant& point : axes[axis].point) {
+    Variant joined = variant;
+    joined.settings.insert(joined.settings.end(), point.settings.begin(), point.settings.end());
+    if (!point.series.empty()) joined.series = point.series;
     combine(axes, axis + 1, joined, all);
   }
 }
@@ -81,26 +82,32 @@ std::string case_name(const std::string& text) {
 }
 
 std::vector<Case> expand(const Study& study) {
+  return cases_of(study, read_text_file(scene_path(study)), combinations(study));
+}
+
+std::vector<Variant> combinations(const Study& study) {
   std::size_t count = 1;
   for (const Axis& axis : study.axes) count = std::min(count * axis.point.size(), most_cases + 1);
   if (count > most_cases)
     throw InputError(fmt::format("{}: more than {} cases; vary less at once", study.file.string(), most_cases));
-  const std::filesystem::path scene_file = scene_path(study);
-  const std::string scene_text = read_text_file(scene_file);
-  std::vector<Settings> combinations;
-  combine(study.axes, 0, {}, combinations);
+  std::vector<Variant> all;
+  combine(study.axes, 0, {}, all);
+  return all;
+}
 
+std::vector<Case> cases_of(const Study& study, const std::string& scene_text, const std::vector<Variant>& variants) {
+  const std::string scene_file = scene_path(study).string();
   Complaints complaints(study.file.string());
   std::vector<std::string> others;  // about the scene itself
   std::vector<Case> cases;
-  for (const Settings& varied : combinations) {
+  for (const Variant& variant : variants) {
     Settings settings = study.set;
-    settings.insert(settings.end(), varied.begin(), varied.end());
+    settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
     std::vector<std::string> overrides;
     for (const Setting& setting : settings) overrides.push_back(setting.override_text());
     try {
-      const std::string text = case_text(read_scene_text(scene_text, scene_file.string(), overrides));
-      cases.push_back({case_name(text), text, varied});
+      const std::string text = case_text(read_scene_text(scene_text, scene_file, overrides));
+      cases.push_back({case_name(text), text, variant.settings, variant.series});
     } catch (const InputError& error) {
       for (const std::string& line : error.complaints()) complain(line, settings, complaints, others);
     }

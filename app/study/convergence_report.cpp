@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace weaveform::study {
 
@@ -18,12 +20,17 @@ std::optional<double> size_of(const ConvergenceSpec& spec, const Row& row) {
   return spec.finer == "larger" ? 1.0 / *setting->number : *setting->number;
 }
 
+// Groups that have the key at two values or more: a case alone is refined by nothing.
 std::vector<std::string> groups_of(const ConvergenceSpec& spec, const Table& table) {
   std::vector<std::string> groups;
+  std::map<std::string, std::set<double>> values;
   for (const Row& row : table.row) {
     const std::string group = group_of(row.one, spec.key);
-    if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+    if (!values.contains(group)) groups.push_back(group);
+    const Setting* setting = setting_of(row.one, spec.key);
+    if (setting != nullptr && setting->number) values[group].insert(*setting->number);
   }
+  std::erase_if(groups, [&](const std::string& group) { return values[group].size() < 2; });
   return groups;
 }
 

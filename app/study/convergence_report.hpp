@@ -25,6 +25,7 @@ struct ConvergenceOf {
 // Settings of the keys other than `key`, as text: cases of equal text differ in `key` alone.
 [[nodiscard]] std::string group_of(const Case& one, const std::string& key);
 
+// Of the groups that have the refined key at two values or more, in the order of the table.
 [[nodiscard]] std::vector<ConvergenceOf> convergence_of(const ConvergenceSpec& spec,
                                                         const std::vector<std::string>& measures, const Table& table);
 

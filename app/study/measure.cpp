@@ -49,10 +49,14 @@ void list_numbers(const Json& json, const std::string& path, std::vector<std::st
     list_numbers(item.value(), path.empty() ? item.key() : path + "." + item.key(), names);
 }
 
-double from_summary(const std::filesystem::path& file, const std::string& name) {
-  const std::string text = read_text(file);
-  const Json json = Json::parse(text, nullptr, false);
+Json read_summary(const std::filesystem::path& file) {
+  Json json = Json::parse(read_text(file), nullptr, false);
   if (json.is_discarded()) throw InputError(fmt::format("{}: not JSON; run the case again", file.string()));
+  return json;
+}
+
+double from_summary(const std::filesystem::path& file, const std::string& name) {
+  const Json json = read_summary(file);
   if (const auto number = find_number(json, name)) return *number;
   std::vector<std::string> names;
   list_numbers(json, "", names);
@@ -84,6 +88,16 @@ double measure(const std::filesystem::path& directory, const std::string& name) 
     if (!column.empty()) return from_history(directory / "history.csv", function, column);
   }
   return from_summary(directory / "summary.json", name);
+}
+
+std::vector<std::string> warnings_of(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "summary.json";
+  const Json json = read_summary(file);
+  const auto found = json.find("warnings");
+  const auto is_text = [](const Json& item) { return item.is_string(); };
+  if (found == json.end() || !found->is_array() || !std::all_of(found->begin(), found->end(), is_text))
+    throw InputError(fmt::format("{}: has no list of warnings; run the case again", file.string()));
+  return found->get<std::vector<std::string>>();
 }
 
 std::vector<std::string> default_measures(const Scene& scene) {

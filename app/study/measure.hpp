@@ -15,6 +15,9 @@ namespace weaveform::study {
 // name), FileError when its file cannot be read. Not a number where the file says null.
 [[nodiscard]] double measure(const std::filesystem::path& directory, const std::string& name);
 
+// What the run says against itself: `warnings` of summary.json. Throws InputError (a damaged or older file), FileError.
+[[nodiscard]] std::vector<std::string> warnings_of(const std::filesystem::path& directory);
+
 // The scene's own: the greatest shear angle, and the last force of each grip, frame and tool.
 [[nodiscard]] std::vector<std::string> default_measures(const Scene& scene);
 

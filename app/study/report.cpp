@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <set>
 
+#include "app/study/border_report.hpp"
+#include "app/study/border_run.hpp"
 #include "app/study/convergence_report.hpp"
 #include "app/study/measure.hpp"
+#include "app/study/references.hpp"
 #include "app/study/table.hpp"
 #include "app/study/work_precision.hpp"
+#include "app/study/work_precision_report.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/result/chart_file.hpp"
@@ -23,26 +27,6 @@ namespace {
 void add_missing(std::vector<std::string>& all, const std::vector<std::string>& more) {
   for (const std::string& name : more)
     if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
-}
-
-// The table for people: settings, how it ended, measures.
-std::string table_text(const Table& table, std::size_t columns) {
-  std::string text = "|";
-  for (const std::string& key : table.keys) text += fmt::format(" {} |", key);
-  for (std::size_t m = 0; m < columns; ++m) text += fmt::format(" {} |", table.measures[m]);
-  text += " solve |\n|";
-  for (std::size_t c = 0; c < table.keys.size() + columns + 1; ++c) text += "---:|";
-  for (const Row& row : table.row) {
-    text += "\n|";
-    for (const std::string& key : table.keys) {
-      const Setting* setting = setting_of(row.one, key);
-      text += fmt::format(" {} |", setting != nullptr ? setting->value : "");
-    }
-    const bool done = row.outcome && row.outcome->exit_code == 0;
-    for (std::size_t m = 0; m < columns; ++m) text += fmt::format(" {} |", csv_number(row.value[m], 6));
-    text += done ? fmt::format(" {:.3g} s |", row.wall) : row.outcome ? " failed |" : " not run |";
-  }
-  return text + "\n";
 }
 
 void count(const Table& table, Report& report) {
@@ -89,7 +73,12 @@ Measures measures_of(const Study& study) {
   if (study.work_precision && study.work_precision->reference == "limit")
     add_missing(measures.converging, measures.charted);
   if (study.convergence) add_missing(measures.all, measures.converging);
-  if (study.work_precision) add_missing(measures.all, measures.charted);
+  if (study.work_precision) {
+    check_reference_measures(study, measures.charted);
+    add_missing(measures.all, measures.charted);
+    for (const ReferenceValue& value : study.reference.value)
+      if (!value.number) add_missing(measures.all, {value.other});
+  }
   return measures;
 }
 
@@ -113,35 +102,66 @@ void check_measures(const Study& study, const Measures& measures, const Case& do
   complaints.throw_if_any();
 }
 
+namespace {
+
+void write_convergence(const Study& study, const std::vector<ConvergenceOf>& convergence, const Table& table,
+                       const fs::path& study_folder, Report& report) {
+  const std::string text = convergence_markdown(*study.convergence, convergence, table);
+  write_text_whole(study_folder / "convergence.md", text);
+  write_text_whole(study_folder / "convergence.csv", convergence_csv(*study.convergence, convergence, table));
+  report.answer += "\n" + text;
+}
+
+void write_work_precision(const Study& study, const Measures& measures, const std::vector<ConvergenceOf>& convergence,
+                          const Table& table, const fs::path& study_folder, Report& report) {
+  const auto charts = work_precision_of(study, measures.charted, convergence, table, report.complaints);
+  const std::string text = work_precision_markdown(*study.work_precision, charts, table);
+  write_text_whole(study_folder / "work_precision.csv", work_precision_csv(charts, table));
+  write_text_whole(study_folder / "work_precision.md", text);
+  for (const WorkPrecision& one : charts)
+    write_chart(study_folder / chart_name(one.measure), work_precision_chart(one, table));
+  report.answer += "\n" + text;
+}
+
+}  // namespace
+
+Report write_border_report(const Study& study, const fs::path& study_folder) {
+  Report report;
+  const auto groups = find_borders(study, study_folder);
+  std::vector<Case> cases;
+  for (const BorderGroup& group : groups) cases.insert(cases.end(), group.tried.begin(), group.tried.end());
+  const Measures measures = measures_of(study);
+  const Table table = collect(study, cases, measures.all, study_folder, report.complaints);
+  count(table, report);
+  check_versions(table, study_folder, report);
+  write_text_whole(study_folder / "study.csv", to_csv(table, measures.columns));
+  write_text_whole(study_folder / "border.csv", border_csv(study, groups));
+  report.answer = border_markdown(study, groups);
+  write_text_whole(study_folder / "border.md", report.answer);
+  if (const auto chart = border_chart(study, groups)) write_chart(study_folder / "border.svg", *chart);
+  for (const BorderGroup& group : groups) {
+    if (!group.search.complaint.empty()) report.complaints.push_back(border_group_complaint(group));
+    report.borders += border_is_found(group) ? 1 : 0;
+  }
+  return report;
+}
+
 Report write_report(const Study& study, const std::vector<Case>& cases, const fs::path& study_folder) {
   Report report;
   const Measures measures = measures_of(study);
   const Table table = collect(study, cases, measures.all, study_folder, report.complaints);
   count(table, report);
   check_versions(table, study_folder, report);
-  report.answer = table_text(table, measures.columns);
+  report.answer = to_markdown(table, measures.columns);
   std::vector<ConvergenceOf> convergence;
   if (study.convergence) {
     convergence = convergence_of(*study.convergence, measures.converging, table);
-    const std::string text = convergence_markdown(*study.convergence, convergence, table);
-    write_text_whole(study_folder / "convergence.md", text);
-    write_text_whole(study_folder / "convergence.csv", convergence_csv(*study.convergence, convergence, table));
-    report.answer += "\n" + text;
+    write_convergence(study, convergence, table, study_folder, report);
   }
   // Before the charts, which may find the reference case unfit.
   write_text_whole(study_folder / "study.csv", to_csv(table, measures.columns));
-  if (study.work_precision && report.done > 0) {
-    const auto charts = work_precision_of(study, measures.charted, convergence, table, report.complaints);
-    write_text_whole(study_folder / "work_precision.csv", work_precision_csv(charts, table));
-    for (const WorkPrecision& one : charts) {
-      write_chart(study_folder / chart_name(one.measure), work_precision_chart(one, table));
-      report.answer += fmt::format("\nPareto front of {}, time against error:\n", one.measure);
-      for (const WorkPoint& point : one.point)
-        if (point.on_front)
-          report.answer += fmt::format("- {}: {:.3g} s, {:.3g} %\n", describe(table.row[point.row].one), point.time,
-                                       100.0 * point.error);
-    }
-  }
+  if (study.work_precision && report.done > 0)
+    write_work_precision(study, measures, convergence, table, study_folder, report);
   return report;
 }
 

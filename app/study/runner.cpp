@@ -11,10 +11,13 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <deque>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "app/study/child.hpp"
+#include "app/study/measure.hpp"
 #include "mesher/base/error.hpp"
 #include "solver/motion/interrupt.hpp"
 #include "solver/result/whole_file.hpp"
@@ -30,22 +33,36 @@ using Clock = std::chrono::steady_clock;
 constexpr auto pause = std::chrono::milliseconds(5);  // between looks at the children: small beside any case
 
 struct Running {
-  const Case* one;
+  Case one;
   pid_t process;
   Clock::time_point since;
 };
 
 // Cases that have not ended for good, each scene once.
-std::vector<const Case*> unfinished(const std::vector<Case>& cases, const fs::path& folder, bool retry) {
-  std::vector<const Case*> left;
+std::vector<Case> unfinished(const std::vector<Case>& cases, const fs::path& folder, const RunOptions& options) {
+  std::vector<Case> left;
   std::set<std::string> names;
   for (const Case& one : cases) {
     if (!names.insert(one.name).second) continue;
-    const auto ended = outcome(case_files(folder, one.name), one.text);
-    const bool done = ended && (ended->exit_code == 0 || (is_final(ended->exit_code) && !retry));
-    if (!done) left.push_back(&one);
+    const CaseFiles files = case_files(folder, one.name);
+    const auto ended = outcome(files, one.text);
+    const bool timed = options.repeats == 1 || std::ssize(walls_of(files)) >= options.repeats;
+    const bool done = ended && (ended->exit_code == 0 ? timed : is_final(ended->exit_code) && !options.retry);
+    if (!done) left.push_back(one);
   }
   return left;
+}
+
+// Notes the time of the run that has just ended; of more than `repeats` the last are kept. False: run it again.
+bool timed_enough(const CaseFiles& files, int repeats) {
+  if (repeats == 1) return true;
+  std::vector<double> walls = walls_of(files);
+  walls.push_back(measure(files.results, "wall_s"));
+  if (std::ssize(walls) > repeats) walls.erase(walls.begin(), walls.end() - repeats);
+  std::string text;
+  for (const double wall : walls) text += fmt::format("{}\n", wall);
+  write_text_whole(files.walls, text);
+  return std::ssize(walls) == repeats;
 }
 
 // Held while a study runs its cases; the system lets go of it however the program ends.
@@ -76,6 +93,7 @@ private:
 
 class Pool {
 public:
+  // total: of cases; 0 where it is not known
   Pool(const fs::path& folder, const RunOptions& options, std::size_t total)
       : folder_(folder), options_(options), total_(total) {}
   ~Pool() {
@@ -93,28 +111,26 @@ public:
   void start(const Case& one) {
     write_case(one, folder_);
     const CaseFiles files = case_files(folder_, one.name);
-    const bool resume = fs::exists(files.results / "checkpoint.bin");
     fs::remove(files.exit);
-    fs::remove(files.log);
-    std::vector<std::string> words = {
-        this_program().string(), "run",     files.scene.string(), "--output",
-        files.results.string(),  "--quiet", "--threads",          std::to_string(options_.threads)};
-    if (resume) words.emplace_back("--resume");
-    running_.push_back({&one, start_child(words, files.log), Clock::now()});
+    if (options_.repeats == 1) fs::remove(files.walls);
+    launch({one, 0, Clock::now()});
   }
 
-  // Takes out the cases that have ended.
-  void collect() {
+  // Takes out the cases that have ended; true when there was one.
+  bool collect() {
+    bool any = false;
     for (std::size_t i = 0; i < running_.size();) {
       const auto code = poll_child(running_[i].process);
       if (!code) {
         ++i;
         continue;
       }
-      const Running ended = running_[i];
+      any = true;
+      const Running ended = std::move(running_[i]);
       running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
       end(ended, *code);
     }
+    return any;
   }
 
   // Asks the running cases to stop, and waits until they have.
@@ -123,22 +139,38 @@ public:
     for (const Running& each : running_) {
       auto code = poll_child(each.process);
       for (; !code; code = poll_child(each.process)) std::this_thread::sleep_for(pause);
-      if (is_final(*code)) write_text_whole(case_files(folder_, each.one->name).exit, fmt::format("{}\n", *code));
+      const CaseFiles files = case_files(folder_, each.one.name);
+      const bool finished = *code == 0 ? timed_enough(files, options_.repeats) : is_final(*code);
+      if (finished) write_text_whole(files.exit, fmt::format("{}\n", *code));
     }
     running_.clear();
   }
 
 private:
+  void launch(Running next) {
+    const CaseFiles files = case_files(folder_, next.one.name);
+    const bool resume = fs::exists(files.results / "checkpoint.bin");
+    fs::remove(files.log);
+    std::vector<std::string> words = {
+        this_program().string(), "run",     files.scene.string(), "--output",
+        files.results.string(),  "--quiet", "--threads",          std::to_string(options_.threads)};
+    if (resume) words.emplace_back("--resume");
+    next.process = start_child(words, files.log);
+    running_.push_back(std::move(next));
+  }
+
   void end(const Running& ended, int code) {
-    const CaseFiles files = case_files(folder_, ended.one->name);
+    const CaseFiles files = case_files(folder_, ended.one.name);
     if (code == static_cast<int>(ExitCode::interrupted)) return;
+    if (code == 0 && !timed_enough(files, options_.repeats)) return launch(ended);
     write_text_whole(files.exit, fmt::format("{}\n", code));
     const double seconds = std::chrono::duration<double>(Clock::now() - ended.since).count();
-    options_.log(fmt::format("case {} of {}: {}: {}, {:.1f} s", ++ended_, total_, describe(*ended.one),
-                             code == 0 ? "done" : "failed: " + error_line(files.log, code), seconds));
+    options_.log(fmt::format("case {}{}: {}: {}, {:.1f} s", ++ended_, total_ > 0 ? fmt::format(" of {}", total_) : "",
+                             describe(ended.one), code == 0 ? "done" : "failed: " + error_line(files.log, code),
+                             seconds));
     if (code == 0 && !one_done_) {
       one_done_ = true;
-      options_.first_done(*ended.one);
+      options_.first_done(ended.one);
     }
   }
 
@@ -149,6 +181,28 @@ private:
   int ended_ = 0;
   bool one_done_ = false;
 };
+
+int run_pool(const Wanted& wanted, Pool& pool) {
+  const InterruptWatch watch;
+  std::deque<Case> waiting;
+  int given = 0;
+  for (bool ask = true;;) {
+    if (InterruptWatch::requested()) {
+      pool.interrupt();
+      throw Interrupted("study interrupted; the same command goes on where it stopped");
+    }
+    if (ask) {
+      for (Case& one : wanted()) {
+        waiting.push_back(std::move(one));
+        ++given;
+      }
+    }
+    if (waiting.empty() && pool.empty()) return given;
+    for (; !waiting.empty() && !pool.full(); waiting.pop_front()) pool.start(waiting.front());
+    ask = pool.collect();
+    if (!ask) std::this_thread::sleep_for(pause);
+  }
+}
 
 }  // namespace
 
@@ -161,22 +215,17 @@ void write_case(const Case& one, const fs::path& study_folder) {
                     files.scene.string()));
 }
 
+int run_wanted(const Wanted& wanted, const fs::path& study_folder, const RunOptions& options) {
+  const FolderLock lock(study_folder);
+  Pool pool(study_folder, options, 0);
+  return run_pool(wanted, pool);
+}
+
 int run_cases(const std::vector<Case>& cases, const fs::path& study_folder, const RunOptions& options) {
   const FolderLock lock(study_folder);
-  const std::vector<const Case*> left = unfinished(cases, study_folder, options.retry);
-  const InterruptWatch watch;
+  std::vector<Case> left = unfinished(cases, study_folder, options);
   Pool pool(study_folder, options, left.size());
-  std::size_t next = 0;
-  while (next < left.size() || !pool.empty()) {
-    if (InterruptWatch::requested()) {
-      pool.interrupt();
-      throw Interrupted("study interrupted; the same command goes on where it stopped");
-    }
-    while (next < left.size() && !pool.full()) pool.start(*left[next++]);
-    pool.collect();
-    if (!pool.empty()) std::this_thread::sleep_for(pause);
-  }
-  return static_cast<int>(left.size());
+  return run_pool([&] { return std::exchange(left, {}); }, pool);
 }
 
 }  // namespace weaveform::study

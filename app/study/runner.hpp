@@ -14,6 +14,7 @@ namespace weaveform::study {
 struct RunOptions {
   int jobs = 1;
   int threads = 1;     // of each case
+  int repeats = 1;     // runs of each case, for its time
   bool retry = false;  // run cases that failed once more
   std::function<void(const std::string&)> log = [](const std::string&) {};
   std::function<void(const Case&)> first_done = [](const Case&) {};  // called after the first case that is done
@@ -24,6 +25,11 @@ struct RunOptions {
 // Interrupted; an exception of first_done kills them and passes. A failing case is not a failure of the study. Throws
 // FileError, also when another study is at work in the folder. Gives the number of cases run now.
 int run_cases(const std::vector<Case>& cases, const std::filesystem::path& study_folder, const RunOptions& options);
+
+// The same for cases that follow from the results of others: `wanted` gives those to be run that it has not given
+// before; it is called at the start and whenever a case has ended, until nothing is wanted and nothing runs.
+using Wanted = std::function<std::vector<Case>()>;
+int run_wanted(const Wanted& wanted, const std::filesystem::path& study_folder, const RunOptions& options);
 
 // Writes the case's scene, NAME.toml, unless it is there. Throws FileError when another case has taken the name.
 void write_case(const Case& one, const std::filesystem::path& study_folder);

@@ -92,6 +92,14 @@ std::string snakefile(const Study& study, const std::vector<Case>& cases) {
 }  // namespace
 
 void export_snakemake(const Study& study, const std::vector<Case>& cases, const fs::path& directory) {
+  if (study.border)
+    throw InputError(
+        fmt::format("{}: a study with [border] is no workflow: which cases it has depends on their results; "
+                    "run it with 'weaveform study' itself",
+                    study.file.string()));
+  if (study.head.repeats > 1)
+    throw InputError(fmt::format("{}: a workflow runs each case once; leave 'repeats' out to export the study",
+                                 study.file.string()));
   const std::string study_text = moved_study(study), scene_text = moved_scene(study);
   write_ours(directory / "study.toml", study_text);
   write_ours(directory / "scene.toml", scene_text);

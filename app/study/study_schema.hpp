@@ -12,5 +12,7 @@ namespace weaveform::study {
 [[nodiscard]] const std::vector<Key<StudyHead>>& head_keys();
 [[nodiscard]] const std::vector<Key<ConvergenceSpec>>& convergence_keys();
 [[nodiscard]] const std::vector<Key<WorkPrecisionSpec>>& work_precision_keys();
+[[nodiscard]] const std::vector<Key<BorderSpec>>& border_keys();
+[[nodiscard]] const std::vector<Key<BorderCondition>>& condition_keys();
 
 }  // namespace weaveform::study

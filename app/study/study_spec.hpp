@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/border_spec.hpp"
 #include "mesher/base/toml_document.hpp"
 
 namespace weaveform::study {
@@ -22,15 +23,22 @@ struct Setting {
 };
 using Settings = std::vector<Setting>;
 
+// What sets a case apart: its settings, and the series it belongs to in charts ("": none).
+struct Variant {
+  Settings settings;
+  std::string series = {};
+};
+
 // One direction in which the cases differ: its points are taken one at a time, each setting the same keys or fewer.
 struct Axis {
-  std::vector<Settings> point;
+  std::vector<Variant> point;
 };
 
 struct StudyHead {
   std::string scene;                  // file, relative to the study file
   std::vector<std::string> measures;  // columns of study.csv; empty: the scene's own (measure.hpp)
   int threads = 1;                    // of each case
+  int repeats = 1;                    // runs of each case, whose median is its time
 };
 
 struct ConvergenceSpec {
@@ -41,9 +49,29 @@ struct ConvergenceSpec {
   double greatest_order = 2.0;        // of the scheme
 };
 
+// What a measure should be: a number, or another measure of the same case.
+struct ReferenceValue {
+  std::string measure;
+  std::optional<double> number;
+  std::string other;  // without a number
+  toml::source_region where = {};
+};
+
 struct WorkPrecisionSpec {
   std::vector<std::string> measures;  // empty: those of the study
-  std::string reference = "limit";  // "limit": Richardson's, of [convergence]; "case": the one of [work_precision.case]
+  // "limit": Richardson's, of [convergence]; "case": the one of [work_precision.case]; "value": [work_precision.value]
+  std::string reference = "limit";
+  std::vector<std::string> absolute = {};                 // measures whose error is absolute, in their own unit
+  std::vector<double> within = {0.05, 0.02, 0.01};        // errors for which the cheapest case is told: relative,
+  std::vector<double> within_absolute = {2.0, 1.0, 0.5};  // and of absolute measures in their unit
+};
+
+// [work_precision.*]
+struct WorkPrecisionTables {
+  Variant reference_case;                   // values that pick one case
+  std::optional<Variant> limit_of;          // values that pick one convergence group for all cases
+  std::vector<ReferenceValue> value;        // of reference = "value"
+  std::vector<ReferenceValue> uncertainty;  // numbers, in the measure's unit
 };
 
 struct Study {
@@ -53,8 +81,9 @@ struct Study {
   std::vector<Axis> axes;  // the cases are the product of all axes, the last varying fastest
   std::optional<ConvergenceSpec> convergence;
   std::optional<WorkPrecisionSpec> work_precision;
-  Settings reference_case;  // of [work_precision.case]
-  toml::source_region measures_at = {}, convergence_at = {}, work_precision_at = {};
+  WorkPrecisionTables reference;
+  std::optional<BorderSpec> border;
+  toml::source_region measures_at = {}, convergence_at = {}, work_precision_at = {}, repeats_at = {};
 };
 
 // Reads a study file. Throws InputError with every complaint at once, each "file:line:column: ...", and FileError.
@@ -64,7 +93,7 @@ struct Study {
 // The scene file, found beside the study file.
 [[nodiscard]] std::filesystem::path scene_path(const Study& study);
 
-// Keys that differ between cases, in the order of the axes.
+// Keys that differ between cases, in the order of the axes; the key of [border] last.
 [[nodiscard]] std::vector<std::string> varied_keys(const Study& study);
 
 // Every key of a study file (docs/study.md).

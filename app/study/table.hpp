@@ -16,7 +16,7 @@ struct Row {
   std::optional<Outcome> outcome;  // none: has not ended
   std::vector<double> value;       // of each measure; not a number when the case is not done
   double size = 0.0;               // mm; of its mesh; not a number when the case is not done
-  double wall = 0.0;               // s; of its solve; not a number when the case is not done
+  double wall = 0.0;               // s; of its solve, the median of `repeats`; not a number when the case is not done
 };
 
 struct Table {
@@ -34,8 +34,20 @@ struct Table {
 // of their own too.
 [[nodiscard]] std::size_t column_of(const Table& table, const std::string& measure);
 
-// case, the varied keys, exit_code, error, the measures. Empty where there is nothing. Ten significant digits.
+// case, series (when there are any), the varied keys, exit_code, error, the measures. Empty where there is nothing. Ten
+// significant digits.
 [[nodiscard]] std::string to_csv(const Table& table, std::size_t measure_columns);
+
+// The table for people: settings, measures, time of the solve or that it failed.
+[[nodiscard]] std::string to_markdown(const Table& table, std::size_t measure_columns);
+
+// A value as people write it: text without its quotes. Of a key that the case leaves out: "".
+[[nodiscard]] std::string plain_value(const std::string& toml);
+[[nodiscard]] std::string plain_value(const Case& one, const std::string& key);
+
+// The settings in which the case differs from others of the table, in few words for charts: "coarsening 4, yarn beam".
+// A key's table is left out unless two keys end alike. The scene as it is where there is no such setting.
+[[nodiscard]] std::string short_description(const Case& one, const Table& table);
 
 // ",FIELD" at the end of the text.
 void add_field(std::string& text, const std::string& field);

@@ -1,13 +1,11 @@
-// Work-precision charts: what each case costs (s of its solve) against its error relative to a reference, on
-// logarithmic axes, with the Pareto front named: the cases that no other beats in time and error.
+// Time against error: what each case costs (s of its solve) and how far it is from what it should be, with the Pareto
+// front: the cases that no other beats in time and error.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "app/study/convergence_report.hpp"
-#include "app/study/table.hpp"
-#include "mesher/base/chart.hpp"
+#include "app/study/references.hpp"
 
 namespace weaveform::study {
 
@@ -15,26 +13,34 @@ struct WorkPoint {
   std::size_t row = 0;     // of the table
   double time = 0.0;       // s
   double reference = 0.0;  // what the result should be,
-  double error = 0.0;      // |result − reference|/|reference|
-  double floor = 0.0;      // and the reference's own relative uncertainty: errors below it mean nothing
-  bool on_front = false;
+  double error = 0.0;      // |result − reference|, over |reference| unless the measure is an `absolute` one,
+  double floor = 0.0;      // and the reference's own uncertainty, likewise: errors below it mean nothing
+  bool on_front = false;   // errors below the floor counting as the floor
+  [[nodiscard]] bool within_uncertainty() const { return error < floor; }
+  // The error as far as it is known.
+  [[nodiscard]] double known_error() const { return within_uncertainty() ? floor : error; }
 };
 
 struct WorkPrecision {
   std::string measure;
   std::vector<WorkPoint> point;
+  std::string unit = "%";  // of errors told to people; "%": errors are relative, or those of a pure number
+  [[nodiscard]] bool in_percent() const { return unit == "%"; }
 };
 
-// Of every done case but the reference case itself. Measures or groups whose limit is not known give no points, and a
-// line in `complaints`. Throws InputError unless [work_precision.case] picks one done case.
+// Of every done case that has a reference (references.hpp), which tells in `complaints` what has none. Throws
+// InputError as `references` does.
 [[nodiscard]] std::vector<WorkPrecision> work_precision_of(const Study& study, const std::vector<std::string>& measures,
                                                            const std::vector<ConvergenceOf>& convergence,
                                                            const Table& table, std::vector<std::string>& complaints);
 
-[[nodiscard]] Chart work_precision_chart(const WorkPrecision& one, const Table& table);
-[[nodiscard]] std::string work_precision_csv(const std::vector<WorkPrecision>& all, const Table& table);
+// The cheapest point, of the given series ("": of all), whose error and the reference's uncertainty together are within
+// the tolerance; nullptr: none.
+[[nodiscard]] const WorkPoint* cheapest_within(const WorkPrecision& one, const Table& table, const std::string& series,
+                                               double tolerance);
 
-// "work_precision_grips.top.force_N.svg": characters that a file name should not have become '_'.
-[[nodiscard]] std::string chart_name(const std::string& measure);
+// "deg" of "measures.center.shear_angle_deg" or "max(top.shear_angle_deg)"; "%" when the name tells no unit: a pure
+// number.
+[[nodiscard]] std::string unit_of(const std::string& measure);
 
 }  // namespace weaveform::study

@@ -79,6 +79,13 @@ void add_bias(Json& json, const BiasComparison& bias, const std::vector<MeasureS
   json["travel"] = travel_json(bias, measure);
 }
 
+Json frame_json(const FrameComparison& frame) {
+  return {{"shear_angle_deg", frame.angle * degrees_per_radian},
+          {"force_N", frame.load},
+          {"ideal_force_N", frame.ideal_load},
+          {"worst_force_error", frame.worst_error}};
+}
+
 }  // namespace
 
 std::vector<GripSummary> summarise_grips(const Scene& scene, const History& history) {
@@ -119,6 +126,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& file) {
     json["tools"][tool.motion.name] = entry;
   }
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);
+  if (summary.frame) json["frame"] = frame_json(*summary.frame);
   if (summary.forming) json["forming"] = forming_json(*summary.forming);
   json["warnings"] = summary.warning;
   write_text_whole(file, json.dump(2) + "\n");

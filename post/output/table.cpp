@@ -145,6 +145,13 @@ std::string travel_lines(const BiasComparison& bias, const std::vector<MeasureSu
   return text;
 }
 
+std::string frame_lines(const FrameComparison& frame) {
+  return fmt::format(
+      "\nshear frame at {:.2f} deg (Eq. 12): load {:.3f} N, of a fabric that follows it {:.3f} N (Eq. 13); from 5 deg "
+      "on within {}\n",
+      frame.angle * degrees_per_radian, frame.load, frame.ideal_load, percent(frame.worst_error));
+}
+
 }  // namespace
 
 std::string summary_table(const Summary& summary) {
@@ -152,6 +159,7 @@ std::string summary_table(const Summary& summary) {
   text += measure_lines(summary.measure);
   text += grip_lines(summary);
   text += tool_lines(summary);
+  if (summary.frame) text += frame_lines(*summary.frame);
   if (summary.forming) text += forming_table(*summary.forming);
   if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);
   if (!summary.warning.empty()) text += "\n";

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/support/run_command.hpp"
 
@@ -180,6 +181,78 @@ TEST_F(StudyRun, ExportOverwritesNothingOfTheUsers) {
   write_text("mine", file("snake/Snakefile"));
   EXPECT_EQ(run("weaveform study s.toml --output snake --export snakemake").exit_code, 2);
   EXPECT_EQ(read_text(file("snake/Snakefile")), "mine");
+}
+
+// Linear yarns are stable up to a step factor of 1, and beyond it the run itself fails.
+constexpr const char* step_border = R"([set]
+model.yarn_law = "linear"
+analysis.duration = 0.05
+analysis.step_check = false
+[grid]
+blank.coarsening = [4, 3]
+[border]
+key = "analysis.step_factor"
+holds = 0.9
+fails = 1.6
+tolerance = 0.1
+)";
+
+TEST_F(StudyRun, BorderIsTheSameAfterAKill) {
+  write_study(step_border);
+  ASSERT_EQ(run(stopped_study("KILL")).exit_code, 137);
+  EXPECT_FALSE(fs::exists(file("out/border.csv")));
+  const auto partly = run("weaveform study s.toml --output out --collect --quiet");
+  EXPECT_EQ(partly.exit_code, 3) << partly.err;
+  EXPECT_TRUE(says(read_text(file("out/border.csv")), "not run to the end"));
+  const auto resumed = run("weaveform study s.toml --output out --jobs 2");
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  ASSERT_EQ(run("weaveform study s.toml --output whole --jobs 1 --quiet").exit_code, 0);
+  for (const char* name : {"border.csv", "border.md", "border.svg", "study.csv"})
+    EXPECT_EQ(read_text(file("out") / name), read_text(file("whole") / name)) << name;
+  const std::string table = read_text(file("out/border.csv"));
+  // Halved three times: 0.9875 holds, 1.075 fails.
+  for (const char* group : {"4", "3"})
+    EXPECT_TRUE(says(table, std::string("\n") + group + ",analysis.step_factor,0.9875,1.075,\"exit code 3: ")) << table;
+  EXPECT_TRUE(says(table, ",error,")) << "the run itself says that it fails: " << table;
+  const auto again = run("weaveform study s.toml --output out");
+  EXPECT_TRUE(says(again.err, "every case has been run before")) << again.err;
+  EXPECT_EQ(read_text(file("out/border.csv")), table);
+}
+
+TEST_F(StudyRun, BorderOfAWrongSceneStopsWithWhatTheCaseSays) {
+  write_study("[border]\nkey = \"blank.coarsening\"\nholds = 4\nfails = 40\n");
+  const auto result = run("weaveform study s.toml --output out --quiet");
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_TRUE(says(result.err, "blank.coarsening=40: ")) << result.err;
+}
+
+TEST_F(StudyRun, BorderIsNoWorkflow) {
+  write_study(step_border);
+  const auto result = run("weaveform study s.toml --output snake --export snakemake");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(says(result.err, "depends on their results")) << result.err;
+  EXPECT_FALSE(fs::exists(file("snake")));
+}
+
+TEST_F(StudyRun, RepeatedCasesHaveTheMedianTime) {
+  write_text(
+      "scene = \"tiny.toml\"\nmeasures = [\"wall_s\", \"grips.top.force_N\"]\nrepeats = 3\n[grid]\n"
+      "blank.coarsening = [4, 3]\n",
+      file("s.toml"));
+  ASSERT_EQ(run("weaveform study s.toml --output out --jobs 1 --quiet").exit_code, 0);
+  std::vector<double> walls;
+  std::ifstream in(case_file("out", ".walls"));
+  for (double wall = 0.0; in >> wall;) walls.push_back(wall);
+  ASSERT_EQ(walls.size(), 3U);
+  // As after a stop between the second and the third run: only the third is run.
+  const fs::path stopped = case_file("out", ".walls");
+  write_text("1000\n3000\n", stopped);
+  fs::remove(fs::path(stopped).replace_extension(".exit"));
+  ASSERT_EQ(run("weaveform study s.toml --output out --quiet").exit_code, 0);
+  EXPECT_EQ(read_text(stopped).substr(0, 10), "1000\n3000\n");
+  const std::string table = read_text(file("out/study.csv"));
+  EXPECT_TRUE(says(table, ",0,,1000,")) << "the median of 1000, 3000 and less: " << table;
+  EXPECT_TRUE(says(run("weaveform study s.toml --output out").err, "every case has been run before"));
 }
 
 // --accuracy, on a bias extension with linear yarns, whose load at 10 mm is known from meshes finer than those it

@@ -7,6 +7,7 @@ set(UNIT_POST_SOURCES
   unit/post/dic_instrument_test.cpp
   unit/post/dic_readers_test.cpp
   unit/post/forming_test.cpp
+  unit/post/frame_comparison_test.cpp
   unit/post/post_test.cpp
   unit/post/summary_test.cpp
   unit/post/transfer_test.cpp

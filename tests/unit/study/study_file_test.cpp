@@ -5,7 +5,9 @@
 #include <fstream>
 #include <set>
 
+#include "app/study/border_run.hpp"
 #include "app/study/cases.hpp"
+#include "app/study/report.hpp"
 #include "app/study/study_spec.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/scene/reader.hpp"
@@ -66,6 +68,18 @@ TEST_F(StudyFile, CasesMayLeaveKeysOut) {
             (Lines{"blank.coarsening=4", "grip.top.travel=5.5 model.yarn=\"seatbelt\" blank.coarsening=4"}));
 }
 
+TEST_F(StudyFile, ASeriesIsNoSetting) {
+  const auto cases =
+      expand(read("[[case]]\nseries = \"soft yarns\"\nmodel.yarn_stiffness_scale = 0.1\n[[case]]\n"
+                  "[grid]\nblank.coarsening = [4, 2]\n"));
+  ASSERT_EQ(cases.size(), 4U);
+  EXPECT_EQ(cases[1].series, "soft yarns");
+  EXPECT_EQ(describe(cases[1]), "model.yarn_stiffness_scale=0.1 blank.coarsening=2");
+  EXPECT_EQ(cases[2].series, "");
+  EXPECT_EQ(complaints("[[case]]\nseries = 3\nblank.coarsening = 4\n"),
+            Lines{"s.toml:3:10: 'series' is a whole number; it must be text"});
+}
+
 TEST_F(StudyFile, ACaseIsTheSceneWithItsOverrides) {
   const auto cases = expand(read("[set]\noutput.frames = 3\n[grid]\nblank.size = [[115, 230], [120.5, 240]]\n"));
   ASSERT_EQ(cases.size(), 2U);
@@ -112,6 +126,23 @@ TEST_F(StudyFile, AllComplaintsComeAtOnce) {
   EXPECT_EQ(complaints("[grid]\nblank.coarsening = [4, -1]\noutput.frames = [-2, 3]\n").size(), 2U);
 }
 
+// Those that take minutes are run by no test: their scenes and tables at least are in order.
+TEST(StudyFiles, OfTheProjectAreInOrder) {
+  const std::filesystem::path root = WEAVEFORM_SOURCE_DIR;
+  int count = 0;
+  for (const auto& folder : {root / "examples" / "studies", root / "bench" / "accuracy"})
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      // Scenes of studies lie beside them.
+      if (entry.path().extension() != ".toml" || read_text_file(entry.path()).find("\nscene = ") == std::string::npos)
+        continue;
+      const Study study = read_study(entry.path());
+      EXPECT_FALSE((study.border ? border_ends(study) : expand(study)).empty()) << entry.path();
+      EXPECT_FALSE(measures_of(study).all.empty()) << entry.path();
+      ++count;
+    }
+  EXPECT_GE(count, 5);
+}
+
 TEST_F(StudyFile, KeysBelongToOneAxis) {
   EXPECT_EQ(
       complaints("[set]\nblank.coarsening = 2\n[grid]\nblank.coarsening = [4]\n"),
@@ -119,7 +150,8 @@ TEST_F(StudyFile, KeysBelongToOneAxis) {
   EXPECT_EQ(
       complaints("[[paired]]\nblank.coarsening = [4, 2]\nanalysis.duration = [1]\n"),
       Lines{"s.toml:4:21: 'analysis.duration' has 1 values, but those it is paired with have 2; give one for each"});
-  EXPECT_EQ(complaints(""), Lines{"s.toml:1:1: the study varies nothing; add [grid], [[paired]] or [[case]]"});
+  EXPECT_EQ(complaints(""),
+            Lines{"s.toml:1:1: the study varies nothing; add [grid], [[paired]], [[case]] or [border]"});
 }
 
 TEST_F(StudyFile, ConvergenceNeedsThreeNumbersOfAVariedKey) {
@@ -137,6 +169,45 @@ TEST_F(StudyFile, WorkPrecisionNeedsAReference) {
             Lines{"s.toml:4:1: reference = \"limit\" needs [convergence]; add it, or set reference = \"case\""});
   EXPECT_EQ(complaints(grid + "reference = \"case\"\n").size(), 1U);
   EXPECT_TRUE(complaints(grid + "reference = \"case\"\ncase.blank.coarsening = 1\n").empty());
+}
+
+TEST_F(StudyFile, EachReferenceHasItsOwnTables) {
+  const std::string grid = "[grid]\nblank.coarsening = [4, 2, 1]\n[convergence]\nkey = \"blank.coarsening\"\n";
+  EXPECT_TRUE(complaints(grid + "[work_precision]\nlimit_of.blank.coarsening = 1\n").empty());
+  EXPECT_EQ(complaints(grid + "[work_precision]\nlimit_of.blank.coarsning = 1\n"),
+            Lines{"s.toml:7:28: 'blank.coarsning' is not varied; did you mean 'blank.coarsening'?"});
+  EXPECT_EQ(complaints(grid + "[work_precision]\nvalue.force = 1\n"),
+            Lines{"s.toml:7:1: [work_precision.value] has no meaning with reference = \"limit\"; set reference = "
+                  "\"value\""});
+  EXPECT_EQ(complaints(grid + "[work_precision]\nuncertainty.force = 1\n").size(), 1U);
+  EXPECT_TRUE(complaints(grid + "[work_precision]\nreference = \"value\"\nvalue.force = \"ideal.force_N\"\n"
+                                "uncertainty.force = 0.5\n")
+                  .empty());
+  EXPECT_EQ(complaints(grid + "[work_precision]\nreference = \"value\"\n").size(), 1U);
+  EXPECT_EQ(complaints(grid + "[work_precision]\nreference = \"value\"\nvalue.force = true\n"),
+            Lines{"s.toml:8:15: 'force' must be a number, or the name of another measure of the same case"});
+}
+
+TEST_F(StudyFile, WhatIsComparedMustBeCharted) {
+  const auto check = [&](const std::string& text) {
+    try {
+      const Study study = read(
+          "measures = [\"force\"]\n[grid]\nblank.coarsening = [4]\n[work_precision]\n"
+          "reference = \"value\"\n" +
+          text);
+      (void)measures_of(study);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(folder_.path().string().size() + 1);
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(check("value.force = 1\n"), "none");
+  EXPECT_EQ(check("value.force = 1\nvalue.forse = 2\n"),
+            "s.toml:8:15: [work_precision.value]: 'forse' is not charted; did you mean 'force'?");
+  EXPECT_EQ(check("measures = [\"force\", \"a\"]\nvalue.force = 1\n"),
+            "s.toml:5:1: [work_precision.value] does not say what 'a' should be; add it, or list the measures to be "
+            "charted");
+  EXPECT_EQ(check("absolute = [\"angle\"]\nvalue.force = 1\n").substr(0, 37), "s.toml:5:1: [work_precision] absolute");
 }
 
 }  // namespace
