@@ -56,6 +56,7 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       loading_(choose_loading(scene, card)),
       duration_(loading_.duration),
       motion_(packed_, loading_.damping, threads_),
+      plane_(blank_plane(whole)),
       recorder_(grips_, make_probes(scene, whole_), duration_, scene.output.history),
       row_schedule_(duration_, scene.output.history),
       frame_schedule_(duration_, scene.output.frames),

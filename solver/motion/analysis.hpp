@@ -92,6 +92,7 @@ private:
   Loading loading_;
   double duration_;
   Motion motion_;
+  BlankPlane plane_;  // of the whole
   Recorder recorder_;
   Schedule row_schedule_, frame_schedule_;
   std::unique_ptr<FrameWriter> frames_;

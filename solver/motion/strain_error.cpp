@@ -28,7 +28,7 @@ double strain_under(const TangentLaw& law, double nominal, bool constant_section
 
 double yarn_strain_error(const Mesh& mesh, const Card& card, const ModelSpec& model,
                          const std::vector<double>& strain) {
-  if (model.yarn_stiffness_scale == 1.0) return 0.0;
+  if (model.yarn_stiffness_scale == 1.0 || strain.empty()) return 0.0;
   ModelSpec real = model;
   real.yarn_stiffness_scale = 1.0;
   const auto scaled_laws = yarn_laws(card, model), real_laws = yarn_laws(card, real);

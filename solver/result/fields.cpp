@@ -162,21 +162,38 @@ void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model
 
 }  // namespace
 
-std::vector<bool> folded_cells(const Mesh& mesh, const std::vector<Vec3>& position) {
+BlankPlane blank_plane(const Mesh& mesh) {
+  if (mesh.nodes.position.empty()) return {};
+  const Vector3d normal = unit(sum_of(oriented_areas(mesh, mesh.nodes.position)));
+  const Vec3& origin = mesh.nodes.position.front();
+  if (!lies_in_plane(mesh.nodes.position, vector_of(origin), normal)) return {};
+  return {origin, array_of(normal)};
+}
+
+std::vector<bool> folded_cells(const Mesh& mesh, const BlankPlane& plane, const std::vector<Vec3>& position) {
   const std::vector<Vector3d> area = oriented_areas(mesh, position);
   std::vector<bool> folded(area.size(), false);
   if (area.empty()) return folded;
 
   // A blank that is and stays planar has one normal, its initial one, by which even a patch turned over whole is known.
-  const Vector3d normal = unit(sum_of(oriented_areas(mesh, mesh.nodes.position)));
-  const Vector3d origin = vector_of(mesh.nodes.position.front());
-  if (lies_in_plane(mesh.nodes.position, origin, normal) && lies_in_plane(position, origin, normal)) {
+  const Vector3d normal = vector_of(plane.normal);
+  if (normal.norm() > 0.0 && lies_in_plane(position, vector_of(plane.origin), normal)) {
     for (std::size_t cell = 0; cell < area.size(); ++cell) folded[cell] = area[cell].dot(normal) < 0.0;
     return folded;
   }
   const std::vector<Vector3d> patch = patch_areas(mesh.cells, area, mesh.node_count());
   for (std::size_t cell = 0; cell < area.size(); ++cell) folded[cell] = area[cell].dot(patch[cell]) < 0.0;
   return folded;
+}
+
+Fields compute_row_fields(const Mesh& mesh, const BlankPlane& plane, double time, const std::vector<Vec3>& position,
+                          bool with_angles) {
+  Fields fields;
+  fields.time = time;
+  fields.position = position;
+  if (with_angles) fill_cells(mesh.cells, fields);
+  fields.folded = folded_cells(mesh, plane, position);
+  return fields;
 }
 
 Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,
@@ -190,7 +207,7 @@ Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model
 
   fill_cells(mesh.cells, fields);
   fill_thickness(mesh, model, fields);
-  fields.folded = folded_cells(mesh, position);
+  fields.folded = folded_cells(mesh, blank_plane(mesh), position);
   fill_yarns(mesh.yarns, card, model, fields);
   return fields;
 }

@@ -34,8 +34,21 @@ struct Fields {
 [[nodiscard]] Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,
                                     const std::vector<Vec3>& position);
 
+// The plane of a blank that starts planar; `normal` is 0 when it does not.
+struct BlankPlane {
+  Vec3 origin = {0.0, 0.0, 0.0};  // mm
+  Vec3 normal = {0.0, 0.0, 0.0};  // 1
+};
+[[nodiscard]] BlankPlane blank_plane(const Mesh& mesh);
+
+// What a row of history needs of the fields, for a fraction of their cost: time, position, folded, and the shear angles
+// of all cells when `with_angles`.
+[[nodiscard]] Fields compute_row_fields(const Mesh& mesh, const BlankPlane& plane, double time,
+                                        const std::vector<Vec3>& position, bool with_angles);
+
 // A cell is folded (inverted) when its oriented area g1 x g2 points against the mean oriented area of the whole patch
 // of cells around it (cells sharing a node), or, on a planar blank, against the blank's own normal.
-[[nodiscard]] std::vector<bool> folded_cells(const Mesh& mesh, const std::vector<Vec3>& position);
+[[nodiscard]] std::vector<bool> folded_cells(const Mesh& mesh, const BlankPlane& plane,
+                                             const std::vector<Vec3>& position);
 
 }  // namespace weaveform

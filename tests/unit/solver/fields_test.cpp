@@ -116,7 +116,7 @@ TEST(FoldedCells, OneTurnedOverCellIsFoundInThePlaneAndOnACurvedSheet) {
     position[corner] = {14.0, 14.0, 0.0};
     if (radius > 0.0)
       for (Vec3& x : position) x = {radius * std::sin(x[0] / radius), x[1], radius * std::cos(x[0] / radius)};
-    const std::vector<bool> folded = folded_cells(mesh, position);
+    const std::vector<bool> folded = folded_cells(mesh, blank_plane(mesh), position);
     EXPECT_TRUE(folded[0]) << "radius " << radius;
     EXPECT_EQ(std::count(folded.begin(), folded.end(), true), 1) << "radius " << radius;
   }
@@ -127,13 +127,13 @@ TEST(FoldedCells, SheetBentBackOnItselfIsNotFolded) {
   std::vector<Vec3> position = mesh.nodes.position;
   const double radius = 100.0 / (1.5 * std::numbers::pi);  // three quarters of a tube
   for (Vec3& x : position) x = {radius * std::sin(x[0] / radius), x[1], radius * std::cos(x[0] / radius)};
-  const std::vector<bool> folded = folded_cells(mesh, position);
+  const std::vector<bool> folded = folded_cells(mesh, blank_plane(mesh), position);
   EXPECT_EQ(std::count(folded.begin(), folded.end(), true), 0);
 }
 
 TEST(FoldedCells, PlanarBlankShearedPast90DegIsFoldedAltogether) {
   const Mesh mesh = test::lattice(4, 4, 5.0);
-  const std::vector<bool> folded = folded_cells(mesh, test::trellis(mesh, 91.0 * radians_per_degree));
+  const std::vector<bool> folded = folded_cells(mesh, blank_plane(mesh), test::trellis(mesh, 91.0 * radians_per_degree));
   EXPECT_EQ(std::count(folded.begin(), folded.end(), true), mesh.cells.size());
 }
 
