@@ -306,6 +306,14 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
              "stiffness of the yarns that the stable step is taken from: `stiffest`, the law's greatest up to a true "
              "strain of 0.5; `reached`, the greatest at strains that yarns have reached so far, watched at every "
              "step: two to three times fewer steps where they decrimp (docs/accuracy.md)"}),
+    key<&AnalysisSpec::bending_every>(
+        {.name = "bending_every",
+         .unit = "1",
+         .limits = between(1, 16),
+         .doc =
+             "steps from one evaluation of bending to the next (of beams and rotation-free cells, which are far softer "
+             "than yarns in tension); its force then acts as an impulse of so many steps. 4 takes bending off the "
+             "bill"}),
     key<&AnalysisSpec::mass_scale>(
         {.name = "mass_scale",
          .unit = "1",

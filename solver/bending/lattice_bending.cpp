@@ -59,12 +59,12 @@ struct LooseBends {
   std::vector<double> force[2][2][3];  // N
   [[nodiscard]] int size() const { return static_cast<int>(node.size()); }
 
-  void add(const Bend& bend, const PackedMesh& packed) {
+  void add(const Bend& bend, const PackedMesh& packed, double impulse) {
     const auto at = [&](int n) { return packed.packed_of_mesh[n]; };
     node.push_back(at(bend.node));
     for (int f = 0; f < 2; ++f) {
       const YarnBend& yarn = bend.yarn[f];
-      yarns[f].push_back(yarn.yarns);
+      yarns[f].push_back(impulse * yarn.yarns);
       inverse_spread[f].push_back(yarn.yarns > 0.0 ? 1.0 / yarn.spread : 1.0);
       const std::array<int, 2> beside = {yarn.before, yarn.after};
       const std::array<bool, 2> is_fixed = {yarn.fixed_before, yarn.fixed_after};
@@ -136,6 +136,7 @@ struct LatticeBending::Parts {
   const PackedMesh& packed;
   const State& state;
   Flexure flexure;
+  int every;  // steps; forces are that many times as large, each time they act
   FlexureShape shape;
   BendKernels kernels;
   std::vector<Bend> bends;
@@ -147,11 +148,12 @@ struct LatticeBending::Parts {
   std::vector<Ring> ring;
 
   Parts(const Mesh& m, const PackedMesh& p, const Flexure& chosen, const std::vector<char>& held, const State& s,
-        int threads)
+        int threads, int steps)
       : mesh(m),
         packed(p),
         state(s),
         flexure(chosen),
+        every(steps),
         shape(shape_flexure(chosen)),
         kernels(bend_kernels(shape.is_curved, shape.isotropic())),
         block(balanced_blocks(p, threads)) {
@@ -185,13 +187,13 @@ struct LatticeBending::Parts {
     weft_yarns.assign(packed.lattice_nodes(), 0.0);
     for (const auto& bend : bends) {
       if (!is_lattice_bend(bend)) {
-        loose.add(bend, packed);
+        loose.add(bend, packed, every);
         continue;
       }
       const int n = packed.packed_of_mesh[bend.node];
       marked[n] = 1;
-      warp_yarns[n] = bend.yarn[0].yarns;
-      weft_yarns[n] = bend.yarn[1].yarns;
+      warp_yarns[n] = every * bend.yarn[0].yarns;
+      weft_yarns[n] = every * bend.yarn[1].yarns;
     }
     bend_runs = padded_runs(runs_of(marked, packed.stride, packed.rows));
   }
@@ -203,7 +205,7 @@ struct LatticeBending::Parts {
     for (const auto& cell : twist_cells) {
       const int n = packed.packed_of_mesh[cell.node[0]];
       marked[n] = 1;
-      twist_stiffness[n] = 4.0 * flexure.twist * cell.area / (unit_area * unit_area);
+      twist_stiffness[n] = every * 4.0 * flexure.twist * cell.area / (unit_area * unit_area);
     }
     twist_runs = padded_runs(runs_of(marked, packed.stride, packed.rows));
   }
@@ -295,13 +297,14 @@ struct LatticeBending::Parts {
 };
 
 LatticeBending::LatticeBending(const Mesh& mesh, const PackedMesh& packed, const Flexure& flexure,
-                               const std::vector<char>& held, const State& state, int threads)
-    : parts_(std::make_unique<Parts>(mesh, packed, flexure, held, state, threads)) {}
+                               const std::vector<char>& held, const State& state, int threads, int every)
+    : parts_(std::make_unique<Parts>(mesh, packed, flexure, held, state, threads, every)) {}
 
 LatticeBending::~LatticeBending() = default;
 
 void LatticeBending::add_forces(State& state, double /*step*/) {
   auto& p = *parts_;
+  if (state.step % p.every != 0) return;
   const int blocks = static_cast<int>(p.ring.size());
 #pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
   for (int b = 0; b < blocks; ++b) p.block_of_rows(state, p.block[b], p.block[b + 1], p.ring[b]);
@@ -322,8 +325,8 @@ void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, doub
     return std::hypot(position[b][0] - position[a][0], position[b][1] - position[a][1],
                       position[b][2] - position[a][2]);
   };
-  // the turn of the fabric's normal and the moment's own turn add less than once more
-  constexpr double of_large_turns = 2.0;
+  // the turn of the fabric's normal and the moment's own turn add less than once more; impulses count squared
+  const double of_large_turns = 2.0 * p.every * p.every;
   for (const auto& bend : p.bends)
     for (int f = 0; f < 2; ++f) {
       const YarnBend& yarn = bend.yarn[f];

@@ -104,7 +104,8 @@ void Analysis::add_terms() {
   // a shear frame's members turn, so that yarns are not clamped in them
   const auto clamped = scene_.frame ? std::vector<char>(mesh_.node_count(), 0) : held_nodes(grips_, mesh_, packed_);
   if (flexure.bends_yarns || flexure.rotation_free) {
-    auto bending = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, threads_);
+    auto bending = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, threads_,
+                                                    scene_.analysis.bending_every);
     bending_ = bending.get();
     terms_.push_back(std::move(bending));
   }

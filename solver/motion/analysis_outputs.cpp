@@ -59,9 +59,8 @@ void Analysis::open_outputs() {
   const auto position = mesh_positions(packed_, state_);
   const auto whole_position = part_ != nullptr ? unfold(*part_, whole_, position) : position;
   // the last row's are what a run ends with
-  fields_ = frame_due || finished()
-                ? compute_fields(whole_, card_, scene_.model, time, whole_position)
-                : compute_row_fields(whole_, plane_, time, whole_position, !scene_.measure.empty());
+  fields_ = frame_due || finished() ? compute_fields(whole_, card_, scene_.model, time, whole_position)
+                                    : compute_row_fields(whole_, plane_, time, whole_position, !scene_.measure.empty());
   if (frame_due) {
     if (contact_ != nullptr) fields_.contact = whole_contact_state();
     if (frames_) frames_->write(fields_);

@@ -64,6 +64,7 @@ Scene unusual_scene() {
                     .loading_speed = {},
                     .step_factor = 0.5,
                     .step_bound = "reached",
+                    .bending_every = 3,
                     .mass_scale = 2.5,
                     .contact_stiffness = 0.125,
                     .step_check = false,

@@ -133,7 +133,8 @@ TEST(FoldedCells, SheetBentBackOnItselfIsNotFolded) {
 
 TEST(FoldedCells, PlanarBlankShearedPast90DegIsFoldedAltogether) {
   const Mesh mesh = test::lattice(4, 4, 5.0);
-  const std::vector<bool> folded = folded_cells(mesh, blank_plane(mesh), test::trellis(mesh, 91.0 * radians_per_degree));
+  const std::vector<bool> folded =
+      folded_cells(mesh, blank_plane(mesh), test::trellis(mesh, 91.0 * radians_per_degree));
   EXPECT_EQ(std::count(folded.begin(), folded.end(), true), mesh.cells.size());
 }
 
