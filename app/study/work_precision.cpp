@@ -57,13 +57,21 @@ std::vector<WorkPrecision> work_precision_of(const Study& study, const std::vect
   return all;
 }
 
-const WorkPoint* cheapest_within(const WorkPrecision& one, const Table& table, const std::string& series,
-                                 double tolerance) {
+const WorkPoint* cheapest_within(std::span<const WorkPrecision> measures, const Table& table, const std::string& series,
+                                 const std::vector<double>& tolerance) {
+  const auto within = [&](std::size_t row) {
+    for (std::size_t m = 0; m < measures.size(); ++m) {
+      const auto& points = measures[m].point;
+      const auto found =
+          std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.row == row; });
+      if (found == points.end() || !(found->error + found->floor <= tolerance[m])) return false;
+    }
+    return true;
+  };
   const WorkPoint* cheapest = nullptr;
-  for (const WorkPoint& point : one.point) {
+  for (const WorkPoint& point : measures.front().point) {
     const bool fits = series.empty() || table.row[point.row].one.series == series;
-    if (!fits || !(point.error + point.floor <= tolerance)) continue;
-    if (cheapest == nullptr || point.time < cheapest->time) cheapest = &point;
+    if (fits && within(point.row) && (cheapest == nullptr || point.time < cheapest->time)) cheapest = &point;
   }
   return cheapest;
 }

@@ -2,6 +2,7 @@
 // front: the cases that no other beats in time and error.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,10 +35,10 @@ struct WorkPrecision {
                                                            const std::vector<ConvergenceOf>& convergence,
                                                            const Table& table, std::vector<std::string>& complaints);
 
-// The cheapest point, of the given series ("": of all), whose error and the reference's uncertainty together are within
-// the tolerance; nullptr: none.
-[[nodiscard]] const WorkPoint* cheapest_within(const WorkPrecision& one, const Table& table, const std::string& series,
-                                               double tolerance);
+// The cheapest case, of the given series ("": of all), whose error and the reference's uncertainty together are within
+// the tolerance, for every one of the measures (each with its tolerance). A point of the first; nullptr: none.
+[[nodiscard]] const WorkPoint* cheapest_within(std::span<const WorkPrecision> measures, const Table& table,
+                                               const std::string& series, const std::vector<double>& tolerance);
 
 // "deg" of "measures.center.shear_angle_deg" or "max(top.shear_angle_deg)"; "%" when the name tells no unit: a pure
 // number.

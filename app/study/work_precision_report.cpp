@@ -1,6 +1,7 @@
 #include "app/study/work_precision_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -47,27 +48,50 @@ std::string front_table(const WorkPrecision& one, const Table& table) {
   return text;
 }
 
-std::string choice_row(const WorkPrecision& one, const Table& table, const std::string& series,
-                       const std::vector<double>& tolerances) {
-  std::string text = fmt::format("| {} |", series.empty() ? "all" : series);
-  for (const double tolerance : tolerances) {
-    const WorkPoint* point = cheapest_within(one, table, series, tolerance);
-    text += point == nullptr
-                ? " none |"
-                : fmt::format(" {}: {:.3g} s |", short_description(table.row[point->row].one, table), point->time);
-  }
-  return text + "\n";
+const std::vector<double>& tolerances(const WorkPrecisionSpec& spec, const WorkPrecision& one) {
+  return one.in_percent() ? spec.within : spec.within_absolute;
 }
 
-std::string choice_table(const WorkPrecision& one, const Table& table, const std::vector<double>& tolerances) {
+// Tolerance number k of each measure, and in words, those that several share once.
+std::vector<double> tolerance_of_each(const WorkPrecisionSpec& spec, std::span<const WorkPrecision> measures,
+                                      std::size_t k) {
+  std::vector<double> each;
+  for (const WorkPrecision& one : measures) each.push_back(tolerances(spec, one)[k]);
+  return each;
+}
+
+std::string tolerance_words(const WorkPrecisionSpec& spec, std::span<const WorkPrecision> measures, std::size_t k) {
+  std::vector<std::string> words;
+  for (const WorkPrecision& one : measures) {
+    const std::string word = error_words(one, tolerances(spec, one)[k]);
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// The cheapest case within each tolerance, for all of the measures at once; of all cases and of each series.
+std::string choice_table(const WorkPrecisionSpec& spec, std::span<const WorkPrecision> measures, const Table& table) {
+  std::size_t columns = spec.within.size();
+  for (const WorkPrecision& one : measures) columns = std::min(columns, tolerances(spec, one).size());
+  std::vector<std::string> series = series_of(measures.front(), table);
+  std::erase(series, "");
+  series.insert(series.begin(), "");
   std::string text = "| cheapest within |", rule = "|---|";
-  for (const double tolerance : tolerances) {
-    text += fmt::format(" {} |", error_words(one, tolerance));
+  for (std::size_t k = 0; k < columns; ++k) {
+    text += fmt::format(" {} |", tolerance_words(spec, measures, k));
     rule += "---|";
   }
-  text += "\n" + rule + "\n" + choice_row(one, table, "", tolerances);
-  for (const std::string& series : series_of(one, table))
-    if (!series.empty()) text += choice_row(one, table, series, tolerances);
+  text += "\n" + rule + "\n";
+  for (const std::string& name : series) {
+    text += fmt::format("| {} |", name.empty() ? "all" : name);
+    for (std::size_t k = 0; k < columns; ++k) {
+      const WorkPoint* point = cheapest_within(measures, table, name, tolerance_of_each(spec, measures, k));
+      text += point == nullptr
+                  ? " none |"
+                  : fmt::format(" {}: {:.3g} s |", short_description(table.row[point->row].one, table), point->time);
+    }
+    text += "\n";
+  }
   return text;
 }
 
@@ -118,8 +142,8 @@ std::string work_precision_markdown(const WorkPrecisionSpec& spec, const std::ve
                                     const Table& table) {
   std::string text = "Time against error\n";
   for (const WorkPrecision& one : all)
-    text += fmt::format("\n{}\n\n{}\n{}", one.measure, front_table(one, table),
-                        choice_table(one, table, one.in_percent() ? spec.within : spec.within_absolute));
+    text += fmt::format("\n{}\n\n{}\n{}", one.measure, front_table(one, table), choice_table(spec, {&one, 1}, table));
+  if (all.size() > 1) text += "\nAll of these measures at once\n\n" + choice_table(spec, all, table);
   return text;
 }
 

@@ -12,7 +12,8 @@ namespace weaveform::study {
 // Logarithmic axes; a colour for each series of cases, the Pareto front as a line with each of its cases named.
 [[nodiscard]] Chart work_precision_chart(const WorkPrecision& one, const Table& table);
 
-// For each measure the front in the order of time, and the cheapest case within each tolerance, of all and by series.
+// For each measure the front in the order of time, and the cheapest case within each tolerance, of all and by series;
+// at the end the same for all measures at once, for what is right in one may be so by chance.
 [[nodiscard]] std::string work_precision_markdown(const WorkPrecisionSpec& spec, const std::vector<WorkPrecision>& all,
                                                   const Table& table);
 [[nodiscard]] std::string work_precision_csv(const std::vector<WorkPrecision>& all, const Table& table);

@@ -198,13 +198,34 @@ TEST(WorkPrecision, TheChoiceIsTheCheapestThatIsSurelyWithin) {
   table.row.resize(4);  // 108, 104, 102, 101 at 1/512, 1/64, 1/8, 1 s
   table.row[2].one.series = table.row[3].one.series = "fine";
   const WorkPrecision one = points(study, table);
-  EXPECT_EQ(cheapest_within(one, table, "", 0.05)->row, 1U);
-  EXPECT_EQ(cheapest_within(one, table, "", 0.04)->row, 2U) << "4 % and 0.5 % are not within 4 %";
-  EXPECT_EQ(cheapest_within(one, table, "fine", 0.05)->row, 2U);
-  EXPECT_EQ(cheapest_within(one, table, "", 0.01), nullptr);
+  EXPECT_EQ(cheapest_within({&one, 1}, table, "", {0.05})->row, 1U);
+  EXPECT_EQ(cheapest_within({&one, 1}, table, "", {0.04})->row, 2U) << "4 % and 0.5 % are not within 4 %";
+  EXPECT_EQ(cheapest_within({&one, 1}, table, "fine", {0.05})->row, 2U);
+  EXPECT_EQ(cheapest_within({&one, 1}, table, "", {0.01}), nullptr);
   const std::string text = work_precision_markdown(*study.work_precision, {one}, table);
   EXPECT_TRUE(says(text, "| all | coarsening 4: 0.0156 s | coarsening 1: 1 s | none |")) << text;
   EXPECT_TRUE(says(text, "| fine | coarsening 2: 0.125 s | coarsening 1: 1 s | none |")) << text;
+}
+
+// The cheapest is right in the force by chance: its angle tells.
+TEST(WorkPrecision, AChoiceForAllMeasuresIsWithinInEach) {
+  Study study = with_reference("value");
+  study.work_precision->absolute = {"angle_deg"};
+  study.reference.value = {{"force", 100.0, "", {}}, {"angle_deg", 30.0, "", {}}};
+  Table table = two_laws();
+  table.measures = {"force", "angle_deg"};
+  table.row.resize(4);
+  const std::vector<std::vector<double>> results = {{100.0, 35.0}, {104.0, 31.5}, {101.0, 29.5}, {100.5, 30.1}};
+  for (std::size_t i = 0; i < 4; ++i) table.row[i].value = results[i];
+  std::vector<std::string> complaints;
+  const auto all = work_precision_of(study, {"force", "angle_deg"}, {}, table, complaints);
+  const std::string text = work_precision_markdown(*study.work_precision, all, table);
+  EXPECT_TRUE(says(text, "| all | coarsening 8: 0.00195 s | coarsening 8: 0.00195 s | coarsening 8: 0.00195 s |"));
+  EXPECT_TRUE(says(text,
+                   "\nAll of these measures at once\n\n| cheapest within | 5 %, 2 deg | 2 %, 1 deg | 1 %, 0.5 deg |\n"
+                   "|---|---|---|---|\n"
+                   "| all | coarsening 4: 0.0156 s | coarsening 2: 0.125 s | coarsening 2: 0.125 s |\n"))
+      << text;
 }
 
 TEST(WorkPrecision, SeriesHaveAColourEach) {
