@@ -18,11 +18,13 @@ struct CutChord {
   int tool = -1;                                 // number of the tool that is cut; -1: none is
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  // mm; where it is deepest
   double length = 0.0, depth = 0.0;              // mm; L and h
-  [[nodiscard]] double ratio() const;            // 1; L/R, at most 2
+  bool unnoticed = false;                        // no end touches: the tool pokes through between the nodes
+  [[nodiscard]] double ratio() const;            // 1; L/R, at most 2, as when unnoticed
   [[nodiscard]] double radius() const;           // mm; R, infinite when nothing is cut
 };
 
-// The chord of the greatest ratio L/R. Chords are the yarn elements, but for free ends, looked at in three places; and
+// The chord of the greatest ratio L/R; before any other one whose middle is in a tool by more than the fabric's
+// thickness while no end touches that. Chords are the yarn elements, but for free ends, looked at in three places; and
 // the sides of full cells, of which each counts half of the depth of the cell's middle, since on a sphere the cuts of
 // both yarns add up there (what pokes through between the yarns is met there alone). The depth is that beyond the
 // ends', so that the give of the contact springs does not count.

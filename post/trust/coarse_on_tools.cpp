@@ -22,6 +22,15 @@ void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings) {
   const auto placed = place_tools(make_tools(run.scene, run.mesh.thickness), run.history, run.end.time);
   const CutChord worst = worst_chord(run.mesh, run.end.position, placed);
   if (worst.ratio() <= longest) return;
+  if (worst.unnoticed) {
+    warnings.push_back(fmt::format(
+        "tool '{}' pokes {:.2g} mm deep through the fabric between nodes at ({:.4g}, {:.4g}, {:.4g}) mm, where none "
+        "touches it and the solver knows nothing of it; make blank.coarsening so small that its chords of {:.3g} mm "
+        "are "
+        "shorter than the tool is wide",
+        placed[worst.tool].tool.name, worst.depth, worst.at[0], worst.at[1], worst.at[2], worst.length));
+    return;
+  }
   const auto& coarsening = run.scene.blank.coarsening;
   warnings.push_back(
       fmt::format("between nodes the fabric cuts {:.2g} mm deep through tool '{}' at ({:.4g}, {:.4g}, {:.4g}) mm: its "
