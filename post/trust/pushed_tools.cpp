@@ -38,7 +38,7 @@ PushedTool look_at(const ToolSpec& spec, const History& history, std::size_t fir
 
 }  // namespace
 
-std::vector<PushedTool> pushed_tools(const Scene& scene, const History& history, double blank_mass, double border) {
+std::vector<PushedTool> pushed_tools(const Scene& scene, const History& history, double free_mass, double border) {
   std::vector<PushedTool> found;
   if (history.row.empty()) return found;
   const double end = history.row.back().front();
@@ -49,7 +49,7 @@ std::vector<PushedTool> pushed_tools(const Scene& scene, const History& history,
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const ToolSpec& spec = scene.tools[t];
     if (!spec.force || *spec.force <= 0.0) continue;
-    found.push_back(look_at(spec, history, first, spec.mass.value_or(blank_mass), border));
+    found.push_back(look_at(spec, history, first, spec.mass.value_or(free_mass), border));
     found.back().tool = static_cast<int>(t);
   }
   return found;

@@ -21,8 +21,8 @@ struct PushedTool {
 
 // Of each pushed tool, in the rows after twice the onset of the force (tool_motion.hpp); where nothing in the scene
 // travels, so that the pushed tools alone form the fabric and their way is a motion of its own, in the last row only.
-// `blank_mass` (tonne) is that of a tool that names none. Throws InputError when the history lacks a column.
-[[nodiscard]] std::vector<PushedTool> pushed_tools(const Scene& scene, const History& history, double blank_mass,
+// `free_mass` (tonne) is that of a tool that names none. Throws InputError when the history lacks a column.
+[[nodiscard]] std::vector<PushedTool> pushed_tools(const Scene& scene, const History& history, double free_mass,
                                                    double border);
 
 }  // namespace weaveform

@@ -6,18 +6,25 @@
 
 #include "post/trust/borders.hpp"
 #include "post/trust/pushed_tools.hpp"
+#include "solver/contact/contact.hpp"
 
 namespace weaveform {
 namespace {
 
 constexpr double border = 0.01;  // of the force; the binder's part of the punch force follows its force one to one
 
+// tonne; of a tool that names none (solver/contact/contact.cpp).
+double default_mass(const FinishedRun& run) {
+  const auto& mass = run.mesh.nodes.mass;
+  const double reached = run.scene.analysis.step_bound == "reached" ? tool_mass_reached : 1.0;
+  return reached * run.scene.analysis.mass_scale * std::accumulate(mass.begin(), mass.end(), 0.0);
+}
+
 }  // namespace
 
 void warn_of_unsteady_tools(const FinishedRun& run, Warnings& warnings) {
-  const auto& mass = run.mesh.nodes.mass;
-  const double blank_mass = std::accumulate(mass.begin(), mass.end(), 0.0);
-  for (const PushedTool& found : pushed_tools(run.scene, run.history, blank_mass, border)) {
+  const double free_mass = default_mass(run);
+  for (const PushedTool& found : pushed_tools(run.scene, run.history, free_mass, border)) {
     if (found.off <= border) continue;
     const ToolSpec& spec = run.scene.tools[static_cast<std::size_t>(found.tool)];
     const double missing = std::abs(found.felt - *spec.force);
@@ -29,7 +36,7 @@ void warn_of_unsteady_tools(const FinishedRun& run, Warnings& warnings) {
             : fmt::format(
                   "its inertia takes the rest; make tools.{0}.mass smaller (now {1:.3g} tonne), "
                   "tools.{0}.damping larger (now {2:.4g} 1/s) or the loading slower",
-                  spec.name, spec.mass.value_or(blank_mass), spec.damping);
+                  spec.name, spec.mass.value_or(free_mass), spec.damping);
     warnings.push_back(
         fmt::format("tool '{}' is pushed by {:.4g} N, but the fabric feels {:.4g} N at {:.4g} s, and is off by more "
                     "than {:.2g} % in "
