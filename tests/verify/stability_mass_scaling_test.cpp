@@ -30,7 +30,7 @@ void expect_same_forces(const Solved& heavy, const Solved& fast, const std::stri
   for (const double force : b) greatest = std::max(greatest, std::abs(force));
   ASSERT_GT(greatest, 1.0);
   // rounding, grown by slack yarns that choose a side to give way
-  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-4 * greatest) << column << " row " << k;
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-6 * greatest) << column << " row " << k;
 }
 
 TEST(MassScaling, IsTheSameAsLoadingFasterInABiasExtension) {
