@@ -312,7 +312,9 @@ void Contact::check(const Partner& partner, const State& state) const {
     if (mass_[n] == 0.0 || partner.tool.offset - found.distance[0] < partner.deepest) continue;
     throw PhysicsError(fmt::format(
         "at t = {:.4g} s, step {}: node {} at ({:.6g}, {:.6g}, {:.6g}) mm has gone {:.4g} mm into tool '{}', more than "
-        "the fabric's thickness ({:.4g} mm); load more slowly, or see whether the tools can close",
+        "the fabric's thickness ({:.4g} mm); load more slowly, see whether the tools can close, or, where friction or "
+        "a "
+        "binder pull the yarns over an edge, make blank.coarsening smaller: a node bears so much",
         state.time, state.step, mesh_of_packed_[n], state.position[0][n], state.position[1][n], state.position[2][n],
         partner.deepest, partner.tool.name, thickness_));
   }

@@ -13,6 +13,11 @@ set(VERIFY_SOURCES
   verify/contact_friction_test.cpp
   verify/contact_limits_test.cpp
   verify/contact_static_test.cpp
+  verify/stability_binder_test.cpp
+  verify/stability_friction_test.cpp
+  verify/stability_loading_speed_test.cpp
+  verify/stability_mass_scaling_test.cpp
+  verify/stability_tool_radius_test.cpp
   verify/unit_cell_test.cpp
   verify/step_bound_test.cpp
   support/bending_cases.cpp

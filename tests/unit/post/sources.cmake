@@ -11,5 +11,6 @@ set(UNIT_POST_SOURCES
   unit/post/post_test.cpp
   unit/post/summary_test.cpp
   unit/post/transfer_test.cpp
+  unit/post/trust_tools_test.cpp
   unit/post/wrinkles_test.cpp
 )

@@ -1,0 +1,46 @@
+// Nodes alone touch tools: where chords are long against a tool's radius, fabric is dragged over a polygon instead.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "post/trust/borders.hpp"
+#include "post/trust/chords.hpp"
+
+namespace weaveform {
+namespace {
+
+// L/R. A chain of chords over a quarter turn with friction 0.3 is 5 % off by its formula at 0.96; hemispheres drawn
+// through fillets of 15, 20 and 30 mm left the force of fine chords by 5 % at 1.4, 1.1 and 0.86 (docs/stability.md).
+constexpr double longest = 0.8;
+constexpr double edge = 1.5;  // L/R; a chord that bends so much may lie on an edge of no radius at all
+
+std::string place(const CutChord& chord) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", chord.at[0], chord.at[1], chord.at[2]);
+}
+
+}  // namespace
+
+void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings) {
+  if (run.scene.tools.empty()) return;
+  const auto placed = place_tools(make_tools(run.scene, run.mesh.thickness), run.history, run.end.time);
+  const CutChord worst = worst_chord(run.mesh, run.end.position, placed);
+  if (worst.ratio() <= longest) return;
+  const std::string& tool = placed[worst.tool].tool.name;
+  if (worst.unnoticed) {
+    warnings.push_back(
+        fmt::format("tool '{}' pokes {:.2g} mm deep through the fabric between nodes at {}, none of which touches it, "
+                    "so that it feels nothing; make blank.coarsening smaller: chords are {:.3g} mm",
+                    tool, worst.depth, place(worst), worst.length));
+    return;
+  }
+  const bool sharp = worst.ratio() > edge;
+  const auto& coarsening = run.scene.blank.coarsening;
+  warnings.push_back(fmt::format(
+      "chords of {:.3g} mm cut {:.2g} mm off tool '{}' at {}, whose radius there is {} {:.2g} mm: beyond {:.2g} of it "
+      "forces are 5 % off or more; set blank.coarsening to {:.2g} or less{}",
+      worst.length, worst.depth, tool, place(worst), sharp ? "at most" : "about", worst.radius(), longest,
+      std::max(coarsening[0], coarsening[1]) * longest / worst.ratio(), sharp ? ", or round the edge" : ""));
+}
+
+}  // namespace weaveform
