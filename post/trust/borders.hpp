@@ -11,6 +11,10 @@ namespace weaveform {
 
 using Warnings = std::vector<std::string>;
 
+void warn_of_compressed_yarns(const FinishedRun& run, Warnings& warnings);
+void warn_of_energy_error(const FinishedRun& run, Warnings& warnings);
+void warn_of_folded_cells(const FinishedRun& run, Warnings& warnings);
 void warn_of_folds_of_the_mesh(const FinishedRun& run, Warnings& warnings);
+void warn_of_formulation(const FinishedRun& run, Warnings& warnings);
 
 }  // namespace weaveform

@@ -6,7 +6,11 @@ namespace weaveform {
 
 std::vector<std::string> warnings(const FinishedRun& run) {
   Warnings all;
+  warn_of_compressed_yarns(run, all);
+  warn_of_energy_error(run, all);
+  warn_of_folded_cells(run, all);
   warn_of_folds_of_the_mesh(run, all);
+  warn_of_formulation(run, all);
   return all;
 }
 
