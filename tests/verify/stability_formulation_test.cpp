@@ -60,7 +60,9 @@ TEST(StabilityFormulation, TheBorderOfEveryCardLiesWhereTheCellOfTheInnerLoopLea
       };
       const double below = std::min(0.9 * border, 70.0);
       EXPECT_LT(off(below), unit_cell_tolerance);
-      if (border < 60.0) EXPECT_GT(off(1.05 * border), unit_cell_tolerance);
+      if (border < 60.0) {
+        EXPECT_GT(off(1.05 * border), unit_cell_tolerance);
+      }
     }
 }
 
@@ -108,7 +110,9 @@ TEST(StabilityFormulation, ARunBeyondTheCardsBorderIsWarnedAndOneBelowIsNot) {
     };
     SCOPED_TRACE(testing::Message() << variant.first << ' ' << variant.second << ' ' << border / degree);
     EXPECT_FALSE(warned(std::min(0.9 * border, 55.0 * degree)));
-    if (border < 50.0 * degree) EXPECT_TRUE(warned(1.1 * border));
+    if (border < 50.0 * degree) {
+      EXPECT_TRUE(warned(1.1 * border));
+    }
   }
 }
 
