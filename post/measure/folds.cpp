@@ -10,8 +10,8 @@
 namespace weaveform {
 namespace {
 
-// Per node: the turn of each family out of the fabric's plane (rad, signed), and the node after it on the yarn. The turn
-// is 0 where no yarn runs on.
+// Per node: the turn of each family out of the fabric's plane (rad, signed), and the node after it on the yarn. The
+// turn is 0 where no yarn runs on.
 struct Turns {
   std::vector<std::array<double, 2>> turn;
   std::vector<std::array<int, 2>> after;

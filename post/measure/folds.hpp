@@ -1,8 +1,8 @@
 // How far a blank without tools has left its plane, and whether it has folded from cell to cell.
 //
-// A yarn zigzags where it turns out of the fabric's plane one way at a crossing and the other way at the next: a fold no
-// longer than two cells, whose length is therefore the mesh's and not the fabric's. With turns p, q of opposite sign at
-// the ends of an element of length L,
+// A yarn zigzags where it turns out of the fabric's plane one way at a crossing and the other way at the next: a fold
+// no longer than two cells, whose length is therefore the mesh's and not the fabric's. With turns p, q of opposite sign
+// at the ends of an element of length L,
 //   height = L/2 min(|p|, |q|),
 // which is the height of crest over trough, 2 a, of z = a (-1)^n (turns 4 a/L). A wave that its cells resolve (eight a
 // wave or more) has turns of one sign but at its inflections, where they vanish: 6 % of its height at most is found.

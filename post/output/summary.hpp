@@ -8,8 +8,8 @@
 
 #include "post/forming/forming.hpp"
 #include "post/measure/bias_comparison.hpp"
-#include "post/measure/frame_comparison.hpp"
 #include "post/measure/folds.hpp"
+#include "post/measure/frame_comparison.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform {

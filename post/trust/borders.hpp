@@ -1,5 +1,5 @@
-// The borders, one file each; a border adds its line when the run is beyond it. Each is pinned on both sides by a test of
-// the same name (tests/verify/stability_*_test.cpp).
+// The borders, one file each; a border adds its line when the run is beyond it. Each is pinned on both sides by a test
+// of the same name (tests/verify/stability_*_test.cpp).
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // Fibres do not shorten, and a yarn under compression gives way sideways. What a model lets it shorten instead is its
-// compression modulus' choice, and takes shear away from the fabric: on the hemisphere of the examples the punch force is
-// 0.9 % short of its limit of stiff yarns where yarns shorten by 0.8 % at most, 1.8 % at 1.7 %, 2.7 % at 2.9 % and 3.7 %
-// at 6.9 % (docs/stability.md).
+// compression modulus' choice, and takes shear away from the fabric: on the hemisphere of the examples the punch force
+// is 0.9 % short of its limit of stiff yarns where yarns shorten by 0.8 % at most, 1.8 % at 1.7 %, 2.7 % at 2.9 %
+// and 3.7 % at 6.9 % (docs/stability.md).
 #include <fmt/format.h>
 
 #include <algorithm>

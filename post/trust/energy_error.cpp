@@ -1,7 +1,7 @@
 // A step a little above the stable one makes energy without blowing up: viscosity takes what each step makes, loads and
-// angles look right, and the energy balance is the first to tell, long before the run's own limit (analysis.energy_limit)
-// ends it. Sound runs of the examples stay below 0.7 %, most below 0.2 %; at the border of the step (docs/stability.md)
-// the error goes from below 0.3 % to above 1 % within a hundredth of the step.
+// angles look right, and the energy balance is the first to tell, long before the run's own limit
+// (analysis.energy_limit) ends it. Sound runs of the examples stay below 0.7 %, most below 0.2 %; at the border of the
+// step (docs/stability.md) the error goes from below 0.3 % to above 1 % within a hundredth of the step.
 #include <fmt/format.h>
 
 #include "post/trust/borders.hpp"

@@ -1,6 +1,6 @@
-// Compression (docs/stability.md): a sheet with bending stiffness bears up to Euler's strain and then buckles at its own
-// length, on any mesh; a membrane of trusses folds at once, at the length of its cells. Yarns too soft in compression
-// shorten where they should give way.
+// Compression (docs/stability.md): a sheet with bending stiffness bears up to Euler's strain and then buckles at its
+// own length, on any mesh; a membrane of trusses folds at once, at the length of its cells. Yarns too soft in
+// compression shorten where they should give way.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +16,9 @@ using test::Solved;
 
 constexpr double strip_length = 118.08;  // mm; twelve cells of the plain weave at coarsening 2
 
-// A strip pressed together by `shortening` mm between clamps. A thousandth of its weight lets it leave its plane; linear
-// yarns, for those of the card have no stiffness to hold that little at zero strain; a tenth of theirs, for the time.
+// A strip pressed together by `shortening` mm between clamps. A thousandth of its weight lets it leave its plane;
+// linear yarns, for those of the card have no stiffness to hold that little at zero strain; a tenth of theirs, for the
+// time.
 Scene pressed(double shortening, double coarsening, const std::string& yarn, const std::string& cell) {
   Scene scene = test::strip_scene("twintex-pw", {strip_length, 59.04}, coarsening, -shortening);
   scene.model.yarn = yarn;

@@ -1,5 +1,5 @@
-// How far each formulation of the cell holds (docs/stability.md): the angle at which its force leaves the card's by 5 %,
-// from closed forms of the card, and the increment at which increments alone cost 1 %.
+// How far each formulation of the cell holds (docs/stability.md): the angle at which its force leaves the card's by 5
+// %, from closed forms of the card, and the increment at which increments alone cost 1 %.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,13 +19,10 @@ using test::Solved;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-const std::vector<std::pair<const char*, const char*>> variants = {{"energy", "constant-volume"},
-                                                                   {"energy", "constant"},
-                                                                   {"contravariant", "constant-volume"},
-                                                                   {"incremental", "constant-volume"},
-                                                                   {"incremental", "constant"},
-                                                                   {"side-frame", "constant-volume"},
-                                                                   {"side-frame", "constant"}};
+const std::vector<std::pair<const char*, const char*>> variants = {
+    {"energy", "constant-volume"},      {"energy", "constant"},      {"contravariant", "constant-volume"},
+    {"incremental", "constant-volume"}, {"incremental", "constant"}, {"side-frame", "constant-volume"},
+    {"side-frame", "constant"}};
 
 // One cell, sheared by the solver's inner loop in fine increments (0.05 deg), returned over analytical force.
 double returned_ratio(const Card& card, const ModelSpec& model, double angle, int increments) {
