@@ -60,6 +60,7 @@ std::string post_process(const fs::path& directory) {
   if (scene.frame) summary.frame = compare_shear_frame(scene, card, history);
   summary.forming = evaluate_forming(scene, mesh, end, history);
   if (summary.forming) write_forming(*summary.forming, mesh, end, directory);
+  summary.folds = find_folds(scene, mesh, end.position);
   summary.warning = warnings({scene, card, mesh, end, history, summary});
   write_summary(summary, directory / "summary.json");
   return summary_table(summary);

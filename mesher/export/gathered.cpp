@@ -231,12 +231,12 @@ std::vector<Constant> yarn_constants(const Gathered& model, std::size_t family) 
       {spec.yarn_stiffness_scale, "factor on all moduli"},
       {spec.section == "incompressible" ? 1.0 : 0.0, "1: incompressible section, N = s(e) A L0/L; 0: N = s(e) A"},
       {compression ? 1.0 : 0.0, "1: carries compression; 0: does not"},
-      {yarn.compression_modulus, "compression modulus (MPa), e < 0"},
+      {spec.compression_modulus.value_or(yarn.compression_modulus), "compression modulus (MPa), e < 0"},
       {yarn.linear_modulus, "linear modulus (MPa), of the last piece"},
       {yarn.linear_density, "linear density of one yarn (tonne/mm)"},
       {yarn.section, "section of one yarn (mm^2)"}};
   add_pieces(yarn.tension, "tension", "true strain e >= 0; stress is its integral from 0", constants);
-  if (compression && !yarn.compression.pieces().empty())
+  if (compression && !spec.compression_modulus && !yarn.compression.pieces().empty())
     add_pieces(yarn.compression, "compression", "|e|; instead of the modulus", constants);
   return constants;
 }

@@ -154,6 +154,8 @@ void check_model(const Scene& scene, const toml::table& root, Complaints& compla
                                "or leave 'partner' out",
                                model.partner, model.yarn));
   }
+  needs(model.compression_modulus.has_value(), "compression_modulus",
+        model.yarn != "seatbelt" || model.partner == "compression", "partner = \"compression\"");
   if (model.slack && model.yarn_law != "slack") {
     complaints.add(place_of(*table, "slack"),
                    fmt::format("'slack' is {}, but yarn_law = '{}' has none; set yarn_law = \"slack\" or leave 'slack' "

@@ -46,6 +46,7 @@ struct ModelSpec {
       "card";  // "card", or "linear": the card's linear modulus from zero strain on (decrimping taken out), or "slack"
   Auto slack;  // 1; true strain before a yarn carries; auto: ln(1 + crimp) of its family
   double yarn_stiffness_scale = 1.0;  // factor on all yarn moduli
+  Auto compression_modulus;           // MPa; for e < 0, in place of the card's modulus or law; auto: the card's
   std::string symmetry = "auto";      // "auto", "quarter", "half", "none": how little of a symmetric blank is solved
   std::optional<std::array<double, 2>>
       yarn_bending;  // N mm^2; of one yarn, in plane and out of plane; none: the card's

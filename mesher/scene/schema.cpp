@@ -110,6 +110,12 @@ const std::vector<Key<ModelSpec>> model_keys = {
                                            .unit = "1",
                                            .limits = above(0, 1000),
                                            .doc = "factor on all yarn moduli; below 1 buys a larger step"}),
+    key<&ModelSpec::compression_modulus>(
+        {.name = "compression_modulus",
+         .unit = "MPa",
+         .limits = at_least(0),
+         .doc = "of the yarns at negative strain, in place of the card's modulus or law (docs/stability.md says how "
+                "low and how high it may be); auto: the card's"}),
     key<&ModelSpec::symmetry>({.name = "symmetry",
                                .allowed = {"auto", "quarter", "half", "none"},
                                .false_word = "none",

@@ -103,15 +103,6 @@ double relief_along(const Mesh& mesh, const YarnPath& path, int node, const std:
   return greatest;
 }
 
-std::vector<double> node_areas(const Mesh& mesh) {
-  std::vector<double> area(mesh.node_count(), 0.0);
-  for (int c = 0; c < mesh.cells.size(); ++c) {
-    const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
-    for (int a = begin; a < end; ++a) area[mesh.cells.node[a]] += mesh.cells.area[c] / (end - begin);
-  }
-  return area;
-}
-
 void sum_up(const Mesh& mesh, Wrinkles& wrinkles) {
   const std::vector<double> area = node_areas(mesh);
   double wrinkled = 0.0, whole = 0.0;
@@ -126,6 +117,15 @@ void sum_up(const Mesh& mesh, Wrinkles& wrinkles) {
 }
 
 }  // namespace
+
+std::vector<double> node_areas(const Mesh& mesh) {
+  std::vector<double> area(mesh.node_count(), 0.0);
+  for (int c = 0; c < mesh.cells.size(); ++c) {
+    const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
+    for (int a = begin; a < end; ++a) area[mesh.cells.node[a]] += mesh.cells.area[c] / (end - begin);
+  }
+  return area;
+}
 
 double WrinkleLimits::curvature(double thickness) const {
   return height * thickness * std::pow(2.0 * std::numbers::pi / (length * thickness), 2);

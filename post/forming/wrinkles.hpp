@@ -43,4 +43,7 @@ struct Wrinkles {
 [[nodiscard]] Wrinkles find_wrinkles(const Mesh& mesh, const std::vector<Vec3>& position,
                                      const std::vector<PlacedTool>& tools, const WrinkleLimits& limits = {});
 
+// mm2; per node, flat: of each cell in equal parts to its nodes.
+[[nodiscard]] std::vector<double> node_areas(const Mesh& mesh);
+
 }  // namespace weaveform

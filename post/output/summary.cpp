@@ -128,6 +128,10 @@ void write_summary(const Summary& summary, const std::filesystem::path& file) {
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);
   if (summary.frame) json["frame"] = frame_json(*summary.frame);
   if (summary.forming) json["forming"] = forming_json(*summary.forming);
+  if (summary.folds)
+    json["folds"] = {{"out_of_plane_mm", summary.folds->out_of_plane},
+                     {"zigzag_height_mm", summary.folds->zigzag_height},
+                     {"zigzag_share", summary.folds->zigzag_share}};
   json["warnings"] = summary.warning;
   write_text_whole(file, json.dump(2) + "\n");
 }

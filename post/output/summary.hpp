@@ -8,6 +8,7 @@
 
 #include "post/forming/forming.hpp"
 #include "post/measure/bias_comparison.hpp"
+#include "post/measure/folds.hpp"
 #include "post/measure/frame_comparison.hpp"
 #include "solver/result/result.hpp"
 
@@ -38,6 +39,7 @@ struct Summary {
   std::optional<BiasComparison> bias;    // when the scene is a bias extension
   std::optional<FrameComparison> frame;  // when the scene has a shear frame
   std::optional<Forming> forming;        // when the scene has tools
+  std::optional<Folds> folds;            // when it has none
   std::vector<std::string> warning;      // what the run says against itself (post/trust/warnings.hpp)
 };
 
@@ -49,7 +51,8 @@ struct Summary {
 
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
 // "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
-// shear frame "frame"; for a scene with tools "forming"; "warnings", a list of lines. Throws FileError.
+// shear frame "frame"; for a scene with tools "forming", for one without "folds"; "warnings", a list of lines. Throws
+// FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);
 [[nodiscard]] std::string summary_table(const Summary& summary);
 

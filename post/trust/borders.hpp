@@ -1,5 +1,5 @@
-// The borders, one file each; a border adds its line when the run is beyond it. Each is pinned on both sides by a test of
-// the same name (tests/verify/stability_*_test.cpp).
+// The borders, one file each; a border adds its line when the run is beyond it. Each is pinned on both sides by a test
+// of the same name (tests/verify/stability_*_test.cpp).
 #pragma once
 
 #include <string>
@@ -15,5 +15,9 @@ void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings);
 void warn_of_fast_loading(const FinishedRun& run, Warnings& warnings);
 void warn_of_folds_of_the_mesh(const FinishedRun& run, Warnings& warnings);
 void warn_of_unsteady_tools(const FinishedRun& run, Warnings& warnings);
+void warn_of_compressed_yarns(const FinishedRun& run, Warnings& warnings);
+void warn_of_energy_error(const FinishedRun& run, Warnings& warnings);
+void warn_of_folded_cells(const FinishedRun& run, Warnings& warnings);
+void warn_of_formulation(const FinishedRun& run, Warnings& warnings);
 
 }  // namespace weaveform

@@ -10,6 +10,10 @@ std::vector<std::string> warnings(const FinishedRun& run) {
   warn_of_fast_loading(run, all);
   warn_of_folds_of_the_mesh(run, all);
   warn_of_unsteady_tools(run, all);
+  warn_of_compressed_yarns(run, all);
+  warn_of_energy_error(run, all);
+  warn_of_folded_cells(run, all);
+  warn_of_formulation(run, all);
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -76,6 +77,25 @@ double closed_form_ratio(const ShearCard& card, const std::string& formulation, 
                          double angle) {
   const double ratio = constant_volume_ratio(card, formulation, std::abs(angle));
   return thickness == "constant" ? ratio * std::cos(angle) : ratio;
+}
+
+double formulation_holds_to(const ShearCard& card, const std::string& formulation, const std::string& thickness,
+                            double tolerance) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  constexpr int last = 89;  // deg; gL is 4.7 there, and infinite at 90
+  const auto holds = [&](double angle) {
+    // where a law gives no stress there is no ratio, and nothing wrong
+    return !(std::abs(closed_form_ratio(card, formulation, thickness, angle) - 1.0) > tolerance);
+  };
+  int beyond = 1;
+  while (beyond <= last && holds(beyond * degree)) ++beyond;
+  if (beyond > last) return last * degree;
+  double inside = (beyond - 1) * degree, outside = beyond * degree;
+  while (outside - inside > 1e-9) {
+    const double middle = 0.5 * (inside + outside);
+    (holds(middle) ? inside : outside) = middle;
+  }
+  return inside;
 }
 
 }  // namespace weaveform

@@ -21,4 +21,9 @@ namespace weaveform {
 [[nodiscard]] double closed_form_ratio(const ShearCard& card, const std::string& formulation,
                                        const std::string& thickness, double angle);
 
+// rad; the angle up to which |closed_form_ratio - 1| stays within `tolerance`, found to 1e-9; 89 deg if it never
+// leaves.
+[[nodiscard]] double formulation_holds_to(const ShearCard& card, const std::string& formulation,
+                                          const std::string& thickness, double tolerance);
+
 }  // namespace weaveform

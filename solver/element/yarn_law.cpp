@@ -21,7 +21,8 @@ Pieces tension_pieces(const YarnCard& yarn, const ModelSpec& model) {
 }
 
 // C(-e) of the card's law in |e|, so that c_n e^n becomes (-1)^n c_n e^n on [-to, -from].
-Pieces compression_pieces(const YarnCard& yarn) {
+Pieces compression_pieces(const YarnCard& yarn, const ModelSpec& model) {
+  if (model.compression_modulus) return {{-infinity, 0.0, {*model.compression_modulus}}};
   if (yarn.compression.pieces().empty()) return {{-infinity, 0.0, {yarn.compression_modulus}}};
   Pieces pieces = yarn.compression.pieces();
   std::reverse(pieces.begin(), pieces.end());
@@ -48,14 +49,14 @@ double slack_strain(const YarnCard& yarn, const ModelSpec& model) {
 }
 
 TangentLaw partner_law(const YarnCard& yarn, const ModelSpec& model) {
-  return joined(compression_pieces(yarn), {{0.0, infinity, {0.0}}}, model.yarn_stiffness_scale);
+  return joined(compression_pieces(yarn, model), {{0.0, infinity, {0.0}}}, model.yarn_stiffness_scale);
 }
 
 std::array<TangentLaw, 2> yarn_laws(const Card& card, const ModelSpec& model) {
   const bool alone = model.yarn == "seatbelt" && model.partner == "none";
   std::array<TangentLaw, 2> laws;
   for (std::size_t f = 0; f < laws.size(); ++f) {
-    const Pieces below = alone ? Pieces{{-infinity, 0.0, {0.0}}} : compression_pieces(card.yarn[f]);
+    const Pieces below = alone ? Pieces{{-infinity, 0.0, {0.0}}} : compression_pieces(card.yarn[f], model);
     laws[f] = joined(below, tension_pieces(card.yarn[f], model), model.yarn_stiffness_scale);
   }
   return laws;

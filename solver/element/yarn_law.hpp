@@ -7,6 +7,7 @@
 //                                    without force. e0 = model.slack, or ln(1 + crimp) of the card's family: a yarn
 //                                    that is (1 + crimp) times as long as its fabric is straight at that stretch
 //   e < 0, model.yarn       truss    the card's compression law: s(e) = -integral_0^|e| C
+//                                    or model.compression_modulus e
 //                           seatbelt nothing (LS-DYNA's seatbelt of the paper: no compression, slack allowed), or the
 //                                    compression law of the partner element beside it (model.partner)
 // Seatbelt and partner join the same two nodes with the same section, and where one carries the other carries nothing,

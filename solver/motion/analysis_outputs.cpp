@@ -93,7 +93,8 @@ void Analysis::close_row() {
   // the row's forces follow when their window closes; this step's open the next window when it is later than that
   recorder_.add_row(fields_.time, displacement_, fields_, balance_, tool_readings());
   if (fields_.time > start_fraction * duration_) {
-    const bool judged = std::max({balance_.internal, balance_.kinetic, balance_.damping}) > rounding_energy;
+    // not a number is judged too
+    const bool judged = !(std::max({balance_.internal, balance_.kinetic, balance_.damping}) <= rounding_energy);
     if (judged) worst_error_ = std::max(worst_error_, error);
     const bool under_way = travelled() > start_travel;
     if (under_way && balance_.internal > 0.0)

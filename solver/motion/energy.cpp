@@ -64,6 +64,7 @@ double ShearPotential::slope(double log_strain) const {
 }
 
 double ShearPotential::operator()(double sin_gamma) const {
+  if (std::isnan(sin_gamma)) return sin_gamma;  // an unstable run: the balance says so, no table does
   const double log_strain = std::min(std::atanh(std::min(std::abs(sin_gamma), 1.0 - 1e-12)), table_end - 1e-9);
   const int n = std::min(static_cast<int>(log_strain / table_step), static_cast<int>(value_.size()) - 2);
   const double t = log_strain / table_step - n;

@@ -24,5 +24,8 @@ set(VERIFY_SOURCES
   support/elastica.cpp
   support/static_fabric.cpp
   verify/bending_closed_forms_test.cpp
+  verify/stability_compression_test.cpp
+  verify/stability_formulation_test.cpp
+  verify/stability_step_factor_test.cpp
   verify/zone_border_test.cpp
 )

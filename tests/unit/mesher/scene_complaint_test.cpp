@@ -115,6 +115,9 @@ TEST(SceneComplaint, KeysWithoutMeaningPointAtWhatGivesThemOne) {
             "s.toml:3:9: 'slack' is 0.02, but yarn_law = 'linear' has none; set yarn_law = \"slack\" or leave 'slack' "
             "out");
   EXPECT_TRUE(complaints_of("[model]\nyarn = \"seatbelt\"\npartner = \"compression\"\n").empty());
+  EXPECT_EQ(complaint_of("[model]\nyarn = \"seatbelt\"\ncompression_modulus = 20\n"),
+            "s.toml:3:23: 'compression_modulus' is of no use here; it needs partner = \"compression\"");
+  EXPECT_TRUE(complaints_of("[model]\ncompression_modulus = 20\n").empty());
   EXPECT_TRUE(complaints_of("[model]\nyarn_law = \"slack\"\nslack = 0.02\n").empty());
   EXPECT_TRUE(complaints_of("[model]\npartner = \"none\"\nslack = \"auto\"\n").empty());
 }

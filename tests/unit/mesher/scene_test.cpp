@@ -49,6 +49,7 @@ Scene unusual_scene() {
                  .yarn_law = "slack",
                  .slack = 0.1 / 3,
                  .yarn_stiffness_scale = 0.01,
+                 .compression_modulus = 2.5,
                  .symmetry = "half",
                  .yarn_bending = {{3.5, 1.0 / 7}},
                  .cell_bending = {{1, 2, 0.3}},

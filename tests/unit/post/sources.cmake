@@ -6,6 +6,7 @@ set(UNIT_POST_SOURCES
   unit/post/dic_comparison_test.cpp
   unit/post/dic_instrument_test.cpp
   unit/post/dic_readers_test.cpp
+  unit/post/folds_test.cpp
   unit/post/forming_test.cpp
   unit/post/frame_comparison_test.cpp
   unit/post/post_test.cpp

@@ -117,6 +117,23 @@ TEST_P(SectionRule, SeatbeltWithItsPartnerIsTheSumOfBothAndTheTruss) {
   }
 }
 
+TEST_P(SectionRule, ACompressionModulusOfTheSceneTakesThePlaceOfTheCardsLaw) {
+  const Card curved = curved_card();
+  for (const double modulus : {0.0, 35.0}) {
+    ModelSpec spec = model("truss");
+    spec.compression_modulus = modulus;
+    for (const double strain : strains()) {
+      const double found = force(curved, spec, strain);
+      if (strain > 0.0) {
+        EXPECT_EQ(found, force(curved, model("truss"), strain)) << strain;
+        continue;
+      }
+      const double expected = axial(GetParam(), modulus * strain, strain);
+      EXPECT_NEAR(found, expected, rounding(modulus, expected)) << strain;
+    }
+  }
+}
+
 TEST_P(SectionRule, SlackYarnCarriesItsLinearModulusFromTheSlackStrainOn) {
   const Card twill = load_card("twintex-tw");
   for (const char* yarn : {"truss", "seatbelt"}) {
