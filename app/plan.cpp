@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "app/stages.hpp"
 #include "mesher/base/error.hpp"
@@ -59,7 +58,8 @@ PlanRow measured_row(const Model& model, int threads) {
 std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<std::string>& overrides, int threads) {
   const Scene asked = read_scene(scene_file, overrides);
   std::vector<PlanRow> rows;
-  std::optional<double> shorter;
+  std::vector<double> shorter;  // of each row; of one that takes long, that of the finest that does not
+  double known = 1.0;
   for (const double factor : factors) {
     auto with_factor = overrides;
     with_factor.push_back(fmt::format("blank.coarsening=[{:.17g},{:.17g}]", factor * asked.blank.coarsening[0],
@@ -69,18 +69,19 @@ std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<
     try {
       const Model model = build_model(scene_file, with_factor);
       row = measured_row(model, threads);
-      if (row.seconds * row.steps < trial_seconds) shorter = shortening(model, threads);
+      if (row.seconds * row.steps < trial_seconds) known = shortening(model, threads);
     } catch (const InputError& error) {
       row.refused = error.complaints().front();
     }
     row.factor = factor;
     rows.push_back(std::move(row));
+    shorter.push_back(known);
   }
   if (std::all_of(rows.begin(), rows.end(), [](const PlanRow& row) { return !row.refused.empty(); }))
     throw InputError(rows.back().refused);
-  for (auto& row : rows) {
-    row.steps *= shorter.value_or(1.0);
-    row.seconds *= row.steps;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    rows[r].steps *= shorter[r];
+    rows[r].seconds *= rows[r].steps;
   }
   return rows;
 }
