@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "tests/support/ask_border.hpp"
 #include "tests/support/scene_run.hpp"
@@ -37,7 +38,7 @@ TEST(MassScaling, IsTheSameAsLoadingFasterInABiasExtension) {
   const double duration = 0.3;
   const Solved heavy(coarse("bias_extension_pw", "4", duration, slowness * slowness));
   const Solved fast(coarse("bias_extension_pw", "4", duration / slowness, 1.0));
-  EXPECT_NEAR(heavy.result.statistics.steps, fast.result.statistics.steps, 2);
+  EXPECT_LE(std::abs(heavy.result.statistics.steps - fast.result.statistics.steps), 2);
   expect_same_forces(heavy, fast, "top.force_N");
   expect_same_forces(heavy, fast, "bottom.force_N");
 }
