@@ -61,9 +61,9 @@ Ratios frequency_ratios(const Scene& scene, double strain) {
     unit = std::max(unit, 4.0 * mesh.yarns.section[e] / rest / mesh.nodes.mass[a] *
                               std::pow(std::cos(std::numbers::pi / 2.0 * rest / pull_length), 2));
   }
-  const double step = bound(mesh.nodes.position).step;
+  const double step = bound(mesh.nodes.position, bound.stiffest(every_strain)).step;
   const double per_bound = unit * step * step / 4.0;
-  return {reached * per_bound, bound.stiffest()[0] * per_bound};
+  return {reached * per_bound, bound.stiffest(every_strain)[0] * per_bound};
 }
 
 double held_load(const Solved& run) {
