@@ -16,6 +16,7 @@ constexpr double greatest_share = 0.02;
 }  // namespace
 
 void warn_of_fast_loading(const FinishedRun& run, Warnings& warnings) {
+  if (run.history.index("kinetic_energy_mJ") < 0) return;  // a history that another program wrote
   const SolveStatistics& solved = run.summary.statistics;
   const InertiaShare inertia = inertia_share(run.scene, run.history, solved.damping_per_s);
   const double share = std::abs(inertia.share);
