@@ -14,6 +14,11 @@ if(WEAVEFORM_COVERAGE)
   target_link_options(weaveform_options INTERFACE --coverage)
 endif()
 
+# Commands: argument parsers that run once, and take longer to optimise than to compile. Nothing is lost, for what they
+# call is compiled with the libraries.
+add_library(weaveform_runs_once INTERFACE)
+target_compile_options(weaveform_runs_once INTERFACE $<$<CONFIG:Release>:-O1>)
+
 # The inner loops alone are compiled for this machine, and told that no one reads errno or floating-point traps, without
 # which neither compiler vectorises square roots and selections. Nothing else is relaxed: NaN and the order of sums stay as
 # written. Called in the folder whose target has the files.

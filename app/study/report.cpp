@@ -118,8 +118,12 @@ void write_work_precision(const Study& study, const Measures& measures, const st
   const std::string text = work_precision_markdown(*study.work_precision, charts, table);
   write_text_whole(study_folder / "work_precision.csv", work_precision_csv(charts, table));
   write_text_whole(study_folder / "work_precision.md", text);
-  for (const WorkPrecision& one : charts)
-    write_chart(study_folder / chart_name(one.measure), work_precision_chart(one, table));
+  std::vector<Chart> drawn;
+  for (const WorkPrecision& one : charts) {
+    drawn.push_back(work_precision_chart(one, table));
+    write_chart(study_folder / chart_name(one.measure), drawn.back());
+  }
+  write_chart_page(study_folder / "work_precision.html", study.file.stem().string(), drawn);
   report.answer += "\n" + text;
 }
 
