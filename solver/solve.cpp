@@ -48,7 +48,9 @@ Mesh heavier(Mesh mesh, double mass_scale) {
 
 SolveResult solve(const Mesh& real, const Scene& scene, const Card& card, const std::filesystem::path& directory,
                   const SolveOptions& options) {
-  const Mesh mesh = heavier(real, scene.analysis.mass_scale);
+  std::optional<Mesh> scaled;
+  if (scene.analysis.mass_scale != 1.0) scaled = heavier(real, scene.analysis.mass_scale);
+  const Mesh& mesh = scaled ? *scaled : real;
   std::optional<SymmetricPart> part;
   if (const Symmetry symmetry = find_symmetry(scene, card, mesh); !symmetry.plane.empty())
     part = cut_part(mesh, symmetry, choose_flexure(card, scene.model).bends_yarns);

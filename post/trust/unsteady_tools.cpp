@@ -13,17 +13,17 @@ namespace {
 
 constexpr double border = 0.01;  // of the force; the binder's part of the punch force follows its force one to one
 
-// tonne; of a tool that names none (solver/contact/contact.cpp).
-double default_mass(const FinishedRun& run) {
+// tonne; of a tool that names none.
+double free_tool_mass(const FinishedRun& run) {
   const auto& mass = run.mesh.nodes.mass;
-  const double reached = run.scene.analysis.step_bound == "reached" ? tool_mass_reached : 1.0;
-  return reached * run.scene.analysis.mass_scale * std::accumulate(mass.begin(), mass.end(), 0.0);
+  const double blank = run.scene.analysis.mass_scale * std::accumulate(mass.begin(), mass.end(), 0.0);
+  return default_tool_mass(run.scene.analysis, blank);
 }
 
 }  // namespace
 
 void warn_of_unsteady_tools(const FinishedRun& run, Warnings& warnings) {
-  const double free_mass = default_mass(run);
+  const double free_mass = free_tool_mass(run);
   for (const PushedTool& found : pushed_tools(run.scene, run.history, free_mass, border)) {
     if (found.off <= border) continue;
     const ToolSpec& spec = run.scene.tools[static_cast<std::size_t>(found.tool)];

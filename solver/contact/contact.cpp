@@ -85,7 +85,6 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
       frequency_(std::sqrt(contact_stiffness_share * stiffness_factor(scene.analysis)) * 2.0 / fabric_step),
       fabric_frequency_(2.0 / fabric_step),
       parts_(mesh.symmetry.parts()),
-      tool_mass_scale_(scene.analysis.step_bound == "reached" ? tool_mass_reached : 1.0),
       mass_(packed.nodes, 0.0),
       area_(node_areas(mesh, packed)),
       mesh_of_packed_(packed.nodes, -1) {
@@ -103,14 +102,14 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
     if (spec.force) *spec.force /= parts_;
     if (spec.mass) *spec.mass /= parts_;
     if (spec.travel == 0.0 && !spec.force) tool.direction = along_planes(tool.direction, mesh.symmetry);
-    partners_.push_back(make_partner(tool, spec, duration, start));
+    partners_.push_back(make_partner(tool, spec, duration, start, default_tool_mass(scene.analysis, blank_mass_)));
   }
   refuse_penetration(start);
 }
 
-Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, double duration,
-                                       const State& start) const {
-  const double mass = spec.mass.value_or(tool_mass_scale_ * blank_mass_);
+Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, double duration, const State& start,
+                                       double free_mass) const {
+  const double mass = spec.mass.value_or(free_mass);
   // k (u - U)^2 <= (1 + e) k u^2 + (1 + 1/e) k U^2: the tool's share must stay below the fabric's greatest omega^2
   const double least_mass =
       (1.0 + 1.0 / coupling_split) * frequency_ * frequency_ * blank_mass_ / (fabric_frequency_ * fabric_frequency_);

@@ -36,6 +36,10 @@ inline constexpr double contact_stiffness_share = 0.05;
 // blank, would set it. Half the stiffness sinks a node in by as much as its chord cuts off; four times the blank's mass
 // still follows at a hundred times the speed of a forming process.
 inline constexpr double contact_stiffness_reached = 0.5, tool_mass_reached = 4.0;
+// tonne; of a pushed tool whose mass the scene leaves open, from the blank's (mass scaling included).
+[[nodiscard]] inline double default_tool_mass(const AnalysisSpec& analysis, double blank_mass) {
+  return (analysis.step_bound == "reached" ? tool_mass_reached : 1.0) * blank_mass;
+}
 inline constexpr double contact_damping = 0.1;     // of critical, of a node on its contact spring
 inline constexpr double contact_softening = 0.02;  // of the thickness: the depth over which the normal force sets in
 
@@ -98,7 +102,9 @@ private:
     [[nodiscard]] Placement place() const;
     [[nodiscard]] ContactTool contact_tool() const;
   };
-  Partner make_partner(const Tool& tool, const ToolSpec& spec, double duration, const State& start) const;
+  // `free_mass` (tonne): of a pushed tool whose spec names none.
+  Partner make_partner(const Tool& tool, const ToolSpec& spec, double duration, const State& start,
+                       double free_mass) const;
   void refuse_penetration(const State& start) const;
   void move_tools(double time, double step);
   void treat_block(int block, State& state, double step);
@@ -117,7 +123,6 @@ private:
   double fabric_frequency_;  // 1/s; the fabric's greatest
   double blank_mass_ = 0.0;  // tonne
   int parts_;                // of which this is one: the mesh's symmetry
-  double tool_mass_scale_;   // 1; mass of a pushed tool over the blank's, unless the scene gives it
   Doubles mass_;             // tonne; 0 where no node is
   Doubles area_;             // mm^2; of the fabric around each node
   std::vector<int> mesh_of_packed_;
