@@ -9,8 +9,8 @@
 
 #include "app/version.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/scene/reader.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

@@ -11,9 +11,9 @@
 #include <limits>
 
 #include "mesher/base/chart.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/lattice/build.hpp"
 #include "solver/result/chart_file.hpp"
-#include "solver/result/whole_file.hpp"
 #include "solver/solve.hpp"
 #include "tests/support/bending_cases.hpp"
 

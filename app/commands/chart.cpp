@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/base/toml_document.hpp"
 #include "mesher/material/identify/raw_table.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

@@ -12,12 +12,12 @@
 #include "app/console.hpp"
 #include "app/stages.hpp"
 #include "app/version.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/transfer/fibre_field.hpp"
 #include "post/transfer/write_fibre.hpp"
 #include "solver/motion/loading.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

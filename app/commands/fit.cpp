@@ -7,9 +7,9 @@
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/material/identify/identify.hpp"
 #include "solver/result/chart_file.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

@@ -11,8 +11,8 @@
 #include "app/console.hpp"
 #include "app/result_folder.hpp"
 #include "app/stages.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/scene/reader.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

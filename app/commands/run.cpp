@@ -10,7 +10,7 @@
 #include "app/stages.hpp"
 #include "app/study/accuracy.hpp"
 #include "mesher/base/error.hpp"
-#include "solver/result/whole_file.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform {
 

@@ -8,10 +8,10 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/triangle_report.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

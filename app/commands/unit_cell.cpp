@@ -9,12 +9,12 @@
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/version.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/material/card.hpp"
 #include "mesher/scene/scene.hpp"
 #include "post/unit_cell/report.hpp"
 #include "post/unit_cell/study.hpp"
 #include "solver/result/chart_file.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

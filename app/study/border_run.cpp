@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/base/key_value.hpp"
 
 namespace weaveform::study {

@@ -9,7 +9,7 @@
 
 #include "app/study/measure.hpp"
 #include "mesher/base/error.hpp"
-#include "solver/result/whole_file.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform::study {
 
@@ -44,7 +44,7 @@ bool is_final(int exit_code) {
 std::vector<double> walls_of(const CaseFiles& files) {
   std::vector<double> walls;
   if (!std::filesystem::exists(files.walls)) return walls;
-  std::istringstream lines(read_text(files.walls));
+  std::istringstream lines(read_text_file(files.walls));
   for (double wall = 0.0; lines >> wall;) walls.push_back(wall);
   if (!lines.eof())
     throw InputError(fmt::format("{}: not a list of times; remove it and run the study again", files.walls.string()));
@@ -63,7 +63,7 @@ std::string error_line(const std::filesystem::path& log, int exit_code) {
   if (exit_code == 0) return "";
   std::string found;
   if (std::filesystem::exists(log)) {
-    std::istringstream lines(read_text(log));
+    std::istringstream lines(read_text_file(log));
     for (std::string line; std::getline(lines, line);)
       if (line.starts_with(complaint_mark)) found = line.substr(complaint_mark.size());
   }
@@ -74,8 +74,8 @@ std::string error_line(const std::filesystem::path& log, int exit_code) {
 
 std::optional<Outcome> outcome(const CaseFiles& files, const std::string& text) {
   if (!std::filesystem::exists(files.exit) || !std::filesystem::exists(files.scene)) return std::nullopt;
-  if (read_text(files.scene) != text) return std::nullopt;
-  const std::string content = read_text(files.exit);
+  if (read_text_file(files.scene) != text) return std::nullopt;
+  const std::string content = read_text_file(files.exit);
   int code = 0;
   const auto [end, error] = std::from_chars(content.data(), content.data() + content.size(), code);
   if (error != std::errc{} || code == static_cast<int>(ExitCode::interrupted)) return std::nullopt;

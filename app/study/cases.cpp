@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/material/card.hpp"
 #include "mesher/scene/reader.hpp"
 

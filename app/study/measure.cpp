@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/base/nearest_name.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "solver/result/result.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform::study {
 
@@ -50,7 +50,7 @@ void list_numbers(const Json& json, const std::string& path, std::vector<std::st
 }
 
 Json read_summary(const std::filesystem::path& file) {
-  Json json = Json::parse(read_text(file), nullptr, false);
+  Json json = Json::parse(read_text_file(file), nullptr, false);
   if (json.is_discarded()) throw InputError(fmt::format("{}: not JSON; run the case again", file.string()));
   return json;
 }

@@ -14,9 +14,9 @@
 #include "app/study/work_precision.hpp"
 #include "app/study/work_precision_report.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/result/chart_file.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform::study {
 
@@ -43,7 +43,7 @@ void check_versions(const Table& table, const fs::path& study_folder, Report& re
   std::set<std::string> versions;
   for (const Row& row : table.row) {
     if (!row.outcome || row.outcome->exit_code != 0) continue;
-    const std::string scene = read_text(case_files(study_folder, row.one.name).results / "scene.toml");
+    const std::string scene = read_text_file(case_files(study_folder, row.one.name).results / "scene.toml");
     versions.insert(scene.substr(0, scene.find('\n')));
   }
   if (versions.size() > 1)

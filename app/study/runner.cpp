@@ -19,8 +19,8 @@
 #include "app/study/child.hpp"
 #include "app/study/measure.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "solver/motion/interrupt.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform::study {
 
@@ -209,7 +209,7 @@ int run_pool(const Wanted& wanted, Pool& pool) {
 void write_case(const Case& one, const fs::path& study_folder) {
   const CaseFiles files = case_files(study_folder, one.name);
   if (!fs::exists(files.scene)) return write_text_whole(files.scene, one.text);
-  if (read_text(files.scene) != one.text)
+  if (read_text_file(files.scene) != one.text)
     throw FileError(
         fmt::format("{}: holds another scene than the case of that name; remove it, or use another --output",
                     files.scene.string()));

@@ -8,9 +8,9 @@
 
 #include "app/study/runner.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/base/toml_document.hpp"
 #include "mesher/scene/reader.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform::study {
 
@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view mark = "# Written by weaveform";
 
 void write_ours(const fs::path& file, const std::string& text) {
-  if (fs::exists(file) && !read_text(file).starts_with(mark))
+  if (fs::exists(file) && !read_text_file(file).starts_with(mark))
     throw InputError(
         fmt::format("{}: not written by weaveform and would be lost; choose another --output folder", file.string()));
   write_text_whole(file, fmt::format("{}.\n{}", mark, text));

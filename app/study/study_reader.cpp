@@ -9,6 +9,7 @@
 #include "app/study/study_schema.hpp"
 #include "app/study/study_tables.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/scene/schema.hpp"
 
 namespace weaveform::study {

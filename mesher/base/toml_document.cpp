@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include "mesher/base/error.hpp"
 
@@ -46,19 +42,6 @@ toml::table parse_toml(const std::string& text, const std::string& name) {
     const auto& begin = error.source().begin;
     throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", name, begin.line, begin.column, error.description()));
   }
-}
-
-std::string read_text_file(const std::filesystem::path& file) {
-  const auto failure = [&](const char* reason) {
-    return FileError(fmt::format("{}: cannot be read ({}); check the path and its permissions", file.string(), reason));
-  };
-  if (std::filesystem::is_directory(file)) throw failure("it is a folder");
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw failure(errno != 0 ? std::strerror(errno) : "cannot be opened");
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (stream.bad()) throw failure("reading stopped half-way");
-  return text;
 }
 
 }  // namespace weaveform

@@ -39,7 +39,4 @@ private:
 // source.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& name);
 
-// The whole file as text. Throws FileError.
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& file);
-
 }  // namespace weaveform

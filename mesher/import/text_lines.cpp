@@ -6,17 +6,15 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform {
 
 TextLines::TextLines(const std::filesystem::path& file) : name_(file.string()) {
-  std::error_code error;
-  std::ifstream in(file);
-  if (!std::filesystem::is_regular_file(file, error) || !in)
-    throw FileError(fmt::format("{}: cannot be read; check that it is there and may be read", name_));
+  std::istringstream in(read_text_file(file));
   for (std::string line; std::getline(in, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     lines_.push_back(std::move(line));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/base/nearest_name.hpp"
 #include "mesher/base/toml_document.hpp"
 #include "mesher/material/builtin_cards.hpp"

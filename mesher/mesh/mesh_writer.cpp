@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-#include <unistd.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -18,21 +16,17 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
-#include "mesher/base/error.hpp"
 #include "mesher/mesh/mesh_format.hpp"
 #include "mesher/mesh/mesh_io.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform {
 
 namespace {
 
-using mesh_format::ends_with_closing_tag;
-using mesh_format::ErrorListener;
 using mesh_format::flat_name;
 using mesh_format::set_prefix;
 
@@ -168,19 +162,6 @@ void put_ties(const Mesh& mesh, vtkUnstructuredGrid& grid) {
     grid.GetFieldData()->AddArray(array);
 }
 
-bool write_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& file) {
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  const ErrorListener errors(writer);
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(&grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToNone();
-  writer->SetHeaderTypeToUInt64();
-  const bool written = writer->Write() == 1 && writer->GetErrorCode() == 0 && !errors.heard();
-  return written && ends_with_closing_tag(file);
-}
-
 }  // namespace
 
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
@@ -192,18 +173,9 @@ void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
   put_field_data(mesh, *grid);
   put_ties(mesh, *grid);
 
-  // In the same folder, so that the rename cannot cross file systems; with the process number, so that two runs cannot
-  // meet.
-  std::filesystem::path unfinished = file;
-  unfinished += fmt::format(".{}.part", ::getpid());
-  std::error_code error;
-  const bool written = write_grid(*grid, unfinished);
-  if (written) std::filesystem::rename(unfinished, file, error);
-  if (written && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(unfinished, ignored);
-  throw FileError(fmt::format("{}: cannot be written; check that the folder exists, can be written to and has room",
-                              file.string()));
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  write_vtk_whole(file, *writer);
 }
 
 }  // namespace weaveform

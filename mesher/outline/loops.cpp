@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
+#include <sstream>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform {
 namespace {
@@ -190,8 +191,7 @@ std::vector<OutlineLoop> sound_loops(std::vector<OutlineLoop> loops, const std::
 }
 
 std::vector<OutlineLoop> read_outline_csv(const std::string& file, std::vector<std::string>& complaints) {
-  std::ifstream in(file);
-  if (!in) throw FileError(file + ": cannot be opened; check blank.outline and the file's permissions");
+  std::istringstream in(read_text_file(file));
   std::vector<OutlineLoop> loops;
   OutlineLoop loop;
   std::string line;

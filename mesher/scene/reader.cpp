@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "mesher/base/files.hpp"
 #include "mesher/base/nearest_name.hpp"
 #include "mesher/base/toml_document.hpp"
 #include "mesher/material/card.hpp"

@@ -18,7 +18,8 @@
 #include <iterator>
 #include <numbers>
 
-#include "solver/result/whole_file.hpp"
+#include "mesher/base/files.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform::dic {
 namespace {

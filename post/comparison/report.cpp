@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "mesher/base/chart.hpp"
+#include "mesher/base/files.hpp"
 #include "post/comparison/compare.hpp"
 #include "solver/result/chart_file.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform::dic {
 namespace {

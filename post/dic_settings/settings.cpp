@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "post/dic_settings/schema.hpp"
 
 namespace weaveform::dic {

@@ -15,10 +15,11 @@
 #include <numbers>
 
 #include "mesher/base/chart.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/drape/sphere_net.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 #include "post/forming/forming.hpp"
 #include "solver/result/chart_file.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 namespace {

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/base/toml_document.hpp"
 
 namespace weaveform::dic {

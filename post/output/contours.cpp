@@ -23,8 +23,8 @@
 #include <utility>
 
 #include "mesher/base/error.hpp"
-#include "solver/result/vtk_messages.hpp"
-#include "solver/result/whole_file.hpp"
+#include "mesher/mesh/vtk_file.hpp"
+#include "mesher/mesh/vtk_messages.hpp"
 
 namespace weaveform {
 

@@ -19,8 +19,9 @@
 #include <numeric>
 #include <vector>
 
+#include "mesher/base/files.hpp"
 #include "mesher/drape/flat_pattern.hpp"
-#include "solver/result/whole_file.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "solver/result/statistics.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

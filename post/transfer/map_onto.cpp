@@ -18,8 +18,8 @@
 #include "mesher/base/error.hpp"
 #include "mesher/import/foreign_mesh.hpp"
 #include "mesher/mesh/mesh_format.hpp"
+#include "mesher/mesh/vtk_messages.hpp"
 #include "post/transfer/fibre_field.hpp"
-#include "solver/result/vtk_messages.hpp"
 
 namespace weaveform {
 

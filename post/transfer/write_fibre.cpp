@@ -17,7 +17,7 @@
 #include <numbers>
 
 #include "mesher/export/gathered.hpp"
-#include "solver/result/whole_file.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform {
 

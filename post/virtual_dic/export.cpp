@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/base/key_value.hpp"
 #include "mesher/base/nearest_name.hpp"
 #include "post/virtual_dic/facet.hpp"
@@ -16,7 +17,6 @@
 #include "post/virtual_dic/rigid_motion.hpp"
 #include "post/virtual_dic/simulation.hpp"
 #include "post/virtual_dic/strain_window.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform::dic {
 namespace {

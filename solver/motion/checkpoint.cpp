@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "mesher/base/error.hpp"
-#include "solver/result/whole_file.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform {
 namespace {

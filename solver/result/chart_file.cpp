@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "mesher/base/error.hpp"
-#include "solver/result/whole_file.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform {
 namespace {

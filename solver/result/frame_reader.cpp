@@ -20,10 +20,10 @@
 #include <string_view>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/mesh/mesh_format.hpp"
+#include "mesher/mesh/vtk_messages.hpp"
 #include "solver/result/result.hpp"
-#include "solver/result/vtk_messages.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& frame, const std:
 
 std::vector<FrameFile> list_frames(const fs::path& directory) {
   const fs::path file = directory / "result.pvd";
-  std::istringstream text(read_text(file));
+  std::istringstream text(read_text_file(file));
   vtkNew<vtkXMLDataParser> parser;
   const VtkMessages complaints;
   parser->SetStream(&text);

@@ -26,9 +26,10 @@
 #include <utility>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 #include "solver/result/beside.hpp"
 #include "solver/result/result.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 

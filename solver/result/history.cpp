@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "solver/result/result.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 
@@ -91,7 +91,7 @@ void write_history(const History& history, const std::filesystem::path& file) {
 }
 
 History read_history(const std::filesystem::path& file) {
-  const std::string content = read_text(file);
+  const std::string content = read_text_file(file);
   std::string_view text = content;
   History history;
   history.column = take_record(text);

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "solver/result/result.hpp"
-#include "solver/result/whole_file.hpp"
 
 namespace weaveform {
 
@@ -33,7 +33,7 @@ void write_statistics(const SolveStatistics& statistics, const std::filesystem::
 }
 
 SolveStatistics read_statistics(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
+  const std::string text = read_text_file(file);
   SolveStatistics statistics;
   const char* current = "";
   try {

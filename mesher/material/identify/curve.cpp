@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/material/identify/raw_table.hpp"
 #include "mesher/material/identify/statistics.hpp"
 

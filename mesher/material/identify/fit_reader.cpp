@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/material/identify/fit_schema.hpp"
 
 namespace weaveform::identify {

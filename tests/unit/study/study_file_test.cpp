@@ -10,6 +10,7 @@
 #include "app/study/report.hpp"
 #include "app/study/study_spec.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/scene/reader.hpp"
 #include "tests/unit/solver/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "solver/result/vtk_messages.hpp"
+#include "mesher/mesh/vtk_messages.hpp"
 
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>

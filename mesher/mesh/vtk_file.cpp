@@ -1,0 +1,30 @@
+#include "mesher/mesh/vtk_file.hpp"
+
+#include <vtkErrorCode.h>
+#include <vtkXMLWriter.h>
+
+#include <cerrno>
+
+#include "mesher/base/files.hpp"
+#include "mesher/mesh/mesh_format.hpp"
+#include "mesher/mesh/vtk_messages.hpp"
+
+namespace weaveform {
+
+void write_vtk_whole(const std::filesystem::path& file, vtkXMLWriter& writer) {
+  write_whole(file, [&](const std::filesystem::path& temporary) {
+    const VtkMessages kept_off_the_terminal;
+    writer.SetDataModeToAppended();
+    writer.EncodeAppendedDataOff();
+    writer.SetCompressorTypeToNone();
+    writer.SetHeaderTypeToUInt64();
+    writer.SetFileName(temporary.c_str());
+    errno = 0;
+    const bool written = writer.Write() == 1 && mesh_format::ends_with_closing_tag(temporary);
+    const unsigned long error = writer.GetErrorCode();
+    if (error == vtkErrorCode::OutOfDiskSpaceError) throw_cannot_write(file, ENOSPC);
+    if (!written || error != vtkErrorCode::NoError) throw_cannot_write(file, errno);
+  });
+}
+
+}  // namespace weaveform
