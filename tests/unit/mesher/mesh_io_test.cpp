@@ -105,8 +105,9 @@ TEST_F(MeshFile, AFullDiskLeavesTheOldFileAndNoOther) {
   std::signal(SIGXFSZ, handler);
 }
 
-TEST_F(MeshFile, NoFolderIsAFileError) {
-  EXPECT_THROW(write_mesh(sample(), folder_ / "absent" / "mesh.vtu"), FileError);
+TEST_F(MeshFile, AFolderThatCannotBeIsAFileError) {
+  std::ofstream(folder_ / "in_the_way") << "a file";
+  EXPECT_THROW(write_mesh(sample(), folder_ / "in_the_way" / "mesh.vtu"), FileError);
   EXPECT_THROW(static_cast<void>(read_mesh(folder_ / "absent.vtu")), FileError);
   EXPECT_THROW(static_cast<void>(read_mesh(folder_)), FileError);
 }
