@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <concepts>
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "mesher/base/error.hpp"
@@ -19,9 +22,18 @@ namespace {
 void take(const nlohmann::json& value, double& field) {
   field = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
-template <class Field>
-void take(const nlohmann::json& value, Field& field) {
-  field = value.get<Field>();
+void take(const nlohmann::json& value, bool& field) {
+  field = value.get<bool>();
+}
+void take(const nlohmann::json& value, std::string& field) {
+  field = value.get<std::string>();
+}
+// The library would wrap a count that does not fit, and cut a fraction.
+template <std::integral Count>
+void take(const nlohmann::json& value, Count& field) {
+  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<Count>::max());
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most) throw std::range_error("no count");
+  field = value.get<Count>();
 }
 
 }  // namespace
@@ -44,7 +56,7 @@ SolveStatistics read_statistics(const std::filesystem::path& file) {
     });
   } catch (const nlohmann::json::parse_error& error) {
     throw InputError(fmt::format("{}: not JSON (byte {}); solve again", file.string(), error.byte));
-  } catch (const nlohmann::json::exception&) {
+  } catch (const std::exception&) {
     throw InputError(fmt::format("{}: '{}' is missing or of the wrong type; solve again", file.string(), current));
   }
   return statistics;
