@@ -1,5 +1,8 @@
 #include "tests/fuzz/targets.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "app/study/measure.hpp"
 #include "app/study/study_spec.hpp"
 #include "mesher/base/error.hpp"
@@ -27,10 +30,14 @@ void answered(const Read& read) {
   }
 }
 
+std::string text_of(std::string_view bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
 // A scene that was taken echoes itself, and the echo is the same scene.
 void scene(std::string_view bytes) {
   answered([&] {
-    const Scene read = read_scene_text(std::string(bytes), "scene.toml");
+    const Scene read = read_scene_text(text_of(bytes), "scene.toml");
     const std::string echo = scene_to_toml(read);
     if (scene_to_toml(read_scene_text(echo, "echo.toml")) != echo) __builtin_trap();
   });
@@ -39,22 +46,22 @@ void scene(std::string_view bytes) {
 // The first line is a value given on the command line to the scene that follows.
 void override_value(std::string_view bytes) {
   answered([&] {
-    const std::size_t end = bytes.find('\n');
-    const std::string rest(end == std::string_view::npos ? std::string_view() : bytes.substr(end + 1));
-    static_cast<void>(read_scene_text(rest, "scene.toml", {std::string(bytes.substr(0, end))}));
+    const auto end = std::find(bytes.begin(), bytes.end(), '\n');
+    const std::string value(bytes.begin(), end), rest(end, bytes.end());
+    static_cast<void>(read_scene_text(rest, "scene.toml", {value}));
   });
 }
 
 void card(std::string_view bytes) {
-  answered([&] { static_cast<void>(read_card_text(std::string(bytes), "card.toml")); });
+  answered([&] { static_cast<void>(read_card_text(text_of(bytes), "card.toml")); });
 }
 
 void fit(std::string_view bytes) {
-  answered([&] { static_cast<void>(identify::read_fit_text(std::string(bytes), "fit.toml")); });
+  answered([&] { static_cast<void>(identify::read_fit_text(text_of(bytes), "fit.toml")); });
 }
 
 void study(std::string_view bytes) {
-  answered([&] { static_cast<void>(study::read_study_text(std::string(bytes), "study.toml")); });
+  answered([&] { static_cast<void>(study::read_study_text(text_of(bytes), "study.toml")); });
 }
 
 void dic_settings(std::string_view bytes) {
@@ -64,7 +71,7 @@ void dic_settings(std::string_view bytes) {
 
 void table(std::string_view bytes) {
   answered([&] {
-    const auto read = identify::read_raw_table(std::string(bytes), "table.csv", {});
+    const auto read = identify::read_raw_table(text_of(bytes), "table.csv", {});
     for (std::size_t column = 0; !read.cells.empty() && column < read.cells.front().size(); ++column)
       answered([&] { static_cast<void>(identify::numbers_of(read, column)); });
   });
@@ -135,18 +142,20 @@ void gmsh_mesh(std::string_view bytes) {
   foreign(file.path());
 }
 
-// What "auto" does not know is then read with every question answered.
+// To the questions that a file may leave open: none, those of a known format, those of any table.
+const std::vector<dic::MeasurementSpec>& answers() {
+  const auto told = [](const std::vector<std::string>& keys) { return dic::read_settings("", keys).measurement; };
+  static const std::vector<dic::MeasurementSpec> all = {
+      {},
+      told({"measurement.length_unit=mm", "measurement.pixel_size=0.1", "measurement.y_axis=down"}),
+      told({"measurement.format=columns", "measurement.length_unit=mm", "measurement.y_axis=up", "measurement.x=\"1\"",
+            "measurement.y=\"2\"", "measurement.u=\"3\"", "measurement.v=\"4\""})};
+  return all;
+}
+
 void measurement(std::string_view bytes) {
   const ScratchFile file("stage_0001.csv", bytes);
-  answered([&] { static_cast<void>(dic::read_stages(file.path(), {})); });
-  dic::MeasurementSpec told;
-  told.length_unit = "mm";
-  told.pixel_size = 0.1;
-  told.y_axis = "down";
-  answered([&] { static_cast<void>(dic::read_stages(file.path(), told)); });
-  told.format = "columns";
-  told.x = "1", told.y = "2", told.u = "3", told.v = "4";
-  answered([&] { static_cast<void>(dic::read_stages(file.path(), told)); });
+  for (const auto& told : answers()) answered([&] { static_cast<void>(dic::read_stages(file.path(), told)); });
 }
 
 }  // namespace
