@@ -11,6 +11,7 @@
 #include "mesher/base/files.hpp"
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/cad.hpp"
+#include "mesher/tools/stl.hpp"
 #include "mesher/tools/triangle_report.hpp"
 
 namespace weaveform {
