@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -57,6 +58,13 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &wanted);
 }
 
+// SIGPROF ends this process when it has computed for so long.
+void set_reading_time(double seconds) {
+  itimerval time{};
+  time.it_value.tv_sec = static_cast<time_t>(std::ceil(seconds));
+  setitimer(ITIMER_PROF, &time, nullptr);
+}
+
 double address_space_now() {
   double pages = 0.0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -86,6 +94,7 @@ void enter_limits(const Guard& guard, pid_t parent, int pipe) {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   std::ofstream("/proc/self/oom_score_adj") << 1000;  // when memory runs out, this process goes first
   close_all_but(pipe, guard.open_file);
+  set_reading_time(guard.reading_seconds);
   const auto seconds = static_cast<rlim_t>(std::ceil(guard.seconds));
   limit(RLIMIT_CPU, seconds, seconds + 1);
   limit(RLIMIT_CORE, 0, 0);
@@ -173,8 +182,8 @@ InputError failure(const Guard& guard, const std::string& what) {
   return InputError(fmt::format("{}: {} {}; {}", guard.file, guard.what, what, guard.remedy));
 }
 
-std::string too_long(const Guard& guard) {
-  return fmt::format("took longer than {:g} s", guard.seconds);
+std::string too_long(double seconds) {
+  return fmt::format("took longer than {:.3g} s", seconds);
 }
 
 std::string too_much(const Guard& guard) {
@@ -189,7 +198,7 @@ std::string received(int pipe, const Guard& guard) {
   std::vector<char> part(1 << 20);
   while (true) {
     const double left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
-    if (left <= 0.0) throw failure(guard, too_long(guard));
+    if (left <= 0.0) throw failure(guard, too_long(clock_per_processor * guard.seconds));
     if (bytes.size() > most) throw failure(guard, too_much(guard));
     pollfd ready{pipe, POLLIN, 0};
     if (poll(&ready, 1, static_cast<int>(std::min(left + 1.0, 1e6))) <= 0) continue;
@@ -202,7 +211,8 @@ std::string received(int pipe, const Guard& guard) {
 std::string death_of(int status, const Guard& guard) {
   if (WIFEXITED(status)) return fmt::format("gave up without a word (exit code {})", WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
-  if (signal == SIGXCPU) return too_long(guard);
+  if (signal == SIGXCPU) return too_long(guard.seconds);
+  if (signal == SIGPROF) return too_long(guard.reading_seconds);
   if (signal == SIGKILL) return "was killed; there may be no memory left on this machine";
   std::string name = strsignal(signal);
   std::transform(name.begin(), name.begin() + 1, name.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -237,6 +247,10 @@ void raise_above_streams(std::array<int, 2>& pipe) {
 }
 
 }  // namespace
+
+void guarded_reading_is_done() {
+  set_reading_time(0.0);
+}
 
 std::string run_guarded(const Guard& guard, const std::function<std::string()>& work) {
   std::array<int, 2> pipe{};

@@ -18,8 +18,9 @@ struct Guard {
   std::string remedy;  // what the user can do, e.g. "write it again as STL"
   // Of processor time; by the clock three times that, for a busy machine is no fault of the file.
   double seconds = 120.0;
-  double gigabytes = 4.0;  // of address space beyond what this process has; not under the address sanitizer
-  std::filesystem::path writable_folder;  // "": the child writes nowhere
+  double reading_seconds = 0.0;  // of processor time until guarded_reading_is_done(); 0: no limit of its own
+  double gigabytes = 4.0;        // of address space beyond what this process has; not under the address sanitizer
+  std::filesystem::path writable_folder = {};  // "": the child writes nowhere
   int open_file = -1;                     // a descriptor that stays open in the child
   bool may_act = false;                   // the child may write any file and start programs; the limits stay
 };
@@ -28,5 +29,8 @@ struct Guard {
 // child's death, is an InputError that begins with the file. The child may not use OpenMP: its threads do not survive
 // a fork. Throws FileError when no process can be started.
 [[nodiscard]] std::string run_guarded(const Guard& guard, const std::function<std::string()>& work);
+
+// Called by `work` in the child: what is left may take all the time there is.
+void guarded_reading_is_done();
 
 }  // namespace weaveform

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -25,6 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double reading_bytes_per_second = 1e5;  // well below what OpenCASCADE reads of a sound file
+
 const char* name_of(CadFormat format) {
   switch (format) {
     case CadFormat::step:
@@ -36,6 +39,12 @@ const char* name_of(CadFormat format) {
     default:
       return "geo";
   }
+}
+
+std::string upper_name_of(CadFormat format) {
+  std::string name = name_of(format);
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name;
 }
 
 // A script that was looked at, as a file in memory: Gmsh reads those bytes and no others, and looks beside it for none
@@ -89,6 +98,7 @@ void open_in_gmsh(CadFormat format, const std::string& path) {
   }
   gmsh::model::occ::synchronize();
   gmsh::option::setNumber("General.NumThreads", 1);  // a script may have set it
+  if (format != CadFormat::script) guarded_reading_is_done();
 }
 
 std::string run_gmsh(CadFormat format, const std::string& path, const fs::path& file,
@@ -112,6 +122,28 @@ std::string run_gmsh(CadFormat format, const std::string& path, const fs::path& 
   }
 }
 
+// OpenCASCADE goes on for ever over files of another kind. Each format says early what it is: STEP in its first line,
+// BREP in one of its first, IGES by the S in column 73 that marks lines of its start section.
+void require_begins_as(CadFormat format, const fs::path& file) {
+  std::string text(4096, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  bool fits = false;
+  if (format == CadFormat::step) fits = text.find("ISO-10303-21") != std::string::npos;
+  if (format == CadFormat::brep)
+    fits = text.find("DBRep_DrawableShape") != std::string::npos || text.find("CASCADE Topology") != std::string::npos;
+  constexpr std::size_t iges_mark = 72;
+  if (format == CadFormat::iges) {
+    const std::size_t begin = text.find_first_not_of("\r\n");
+    fits = begin != std::string::npos && text.size() > begin + iges_mark &&
+           std::string_view("SBC").find(text[begin + iges_mark]) != std::string_view::npos;
+  }
+  if (!fits)
+    throw InputError(fmt::format("{}: does not begin as {} files do; end its name in what it is, or write it again",
+                                 file.string(), upper_name_of(format)));
+}
+
 }  // namespace
 
 CadFormat cad_format(const fs::path& file) {
@@ -127,14 +159,16 @@ CadFormat cad_format(const fs::path& file) {
 std::string with_gmsh(const fs::path& file, const std::function<std::string()>& work, const fs::path& writable_folder) {
   require_regular_file(file);
   const CadFormat format = cad_format(file);
-  std::string name = name_of(format);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
   Guard guard{.file = file.string(),
-              .what = format == CadFormat::script ? "the reader of Gmsh scripts" : "the reader of " + name + " files",
+              .what = format == CadFormat::script ? "the reader of Gmsh scripts"
+                                                  : "the reader of " + upper_name_of(format) + " files",
               .remedy = "the file may be damaged: write it again, simpler, in another CAD format, or as STL",
               .writable_folder = writable_folder};
-  if (format != CadFormat::script)
+  if (format != CadFormat::script) {
+    require_begins_as(format, file);
+    guard.reading_seconds = 20.0 + static_cast<double>(fs::file_size(file)) / reading_bytes_per_second;
     return run_guarded(guard, [&] { return run_gmsh(format, file.string(), file, work); });
+  }
   if (geo_scripts_are_trusted()) {
     guard.may_act = true;
     return run_guarded(guard, [&] { return run_gmsh(format, file.string(), file, work); });
