@@ -63,8 +63,8 @@ std::optional<double> number_of(const toml::node& node, const KeyRule& rule, con
   } else if (!within(limits_of(rule), number)) {
     complaints.add(node, fmt::format("'{}' is {}; it must be {}", rule.name, number, range_words(rule)));
   } else if (std::abs(number) > greatest_number) {
-    complaints.add(node, fmt::format("'{}' is {}; no number beyond {:g} has a meaning here", rule.name, number,
-                                     greatest_number));
+    complaints.add(
+        node, fmt::format("'{}' is {}; no number beyond {:g} has a meaning here", rule.name, number, greatest_number));
   } else {
     return number;
   }
