@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/tools/geo_script.hpp"
 #include "solver/solve.hpp"
 
 namespace weaveform {
@@ -32,6 +33,13 @@ struct SceneArguments {
   std::vector<std::string> overrides;  // "key=value"
 };
 
+// Of every command that may read an outline or tool; docs/tools.md says what it lifts.
+inline void add_trust_argument(CLI::App& command) {
+  command.add_flag_callback(
+      "--trust-geo", [] { trust_geo_scripts(true); },
+      "Run Gmsh scripts (.geo) whole, also what is not geometry in them: they may then start programs and write files");
+}
+
 inline void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
   command.add_option("SCENE", arguments.scene, "Scene file (TOML; 'weaveform keys' lists what it may hold)")
       ->required();
@@ -41,6 +49,7 @@ inline void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
                   "Override a value of the scene, e.g. --set grip.top.travel=40; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  add_trust_argument(command);
 }
 
 inline void add_output_argument(CLI::App& command, std::string& directory) {
@@ -50,6 +59,7 @@ inline void add_output_argument(CLI::App& command, std::string& directory) {
 
 inline void add_folder_argument(CLI::App& command, std::string& directory) {
   command.add_option("DIR", directory, "Result folder")->required();
+  add_trust_argument(command);
 }
 
 inline void add_quiet_argument(CLI::App& command, bool& quiet) {

@@ -104,6 +104,7 @@ void add_export_command(CLI::App& program) {
   auto* command = program.add_subcommand(
       "export", "The mesh of a scene for other codes, or a formed result's fibre directions for structural analysis");
   const auto arguments = std::make_shared<ExportArguments>();
+  add_trust_argument(*command);
   command->add_option("FROM", arguments->from, "Scene file, or the folder of a meshed or solved scene")->required();
   std::vector<std::string> formats = fibre_formats;
   for (const auto& [name, format] : mesh_formats) formats.push_back(name);

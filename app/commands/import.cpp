@@ -68,6 +68,7 @@ void add_import_command(CLI::App& program) {
   auto* command = program.add_subcommand(
       "import", "A mesh of lines and shells (.msh 4.1, Abaqus .inp) as DIR/mesh.vtu and DIR/scene.toml");
   const auto arguments = std::make_shared<ImportArguments>();
+  add_trust_argument(*command);
   command->add_option("FILE", arguments->file, "Mesh file, .msh or .inp")->required();
   command
       ->add_option("--scene", arguments->scene,

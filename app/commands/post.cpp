@@ -20,6 +20,7 @@ struct PostArguments {
 void add_post_command(CLI::App& program) {
   auto* command = program.add_subcommand("post", "Contours, summary and the printed table of a solved folder");
   const auto arguments = std::make_shared<PostArguments>();
+  add_trust_argument(*command);
   command->add_option("DIR", arguments->directory, "Result folder");
   add_quiet_argument(*command, arguments->quiet);
   add_dic_commands(*command);

@@ -83,6 +83,7 @@ void study_command(const StudyArguments& arguments) {
 void add_study_command(CLI::App& program) {
   auto* command = program.add_subcommand("study", "Run a scene in many variants, in parallel, into one table");
   const auto arguments = std::make_shared<StudyArguments>();
+  add_trust_argument(*command);
   command->add_option("STUDY", arguments->file, "Study file (TOML; 'weaveform study --keys' lists what it may hold)");
   command->add_option("-o,--output", arguments->output, "Folder (default: results/NAME of the study file)")
       ->type_name("DIR");

@@ -11,6 +11,7 @@
 #include "mesher/base/files.hpp"
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/cad.hpp"
+#include "mesher/tools/stl.hpp"
 #include "mesher/tools/triangle_report.hpp"
 
 namespace weaveform {
@@ -74,6 +75,7 @@ void add_tool_command(CLI::App& program) {
       program.add_subcommand("tool", "Size of a tool's surface (STL, STEP, IGES, BREP, .geo) and its faults");
   const auto arguments = std::make_shared<ToolArguments>();
   command->add_option("FILE", arguments->file, "STL or CAD file")->required();
+  add_trust_argument(*command);
   command->add_option("--chord-tolerance", arguments->chord_tolerance, "mm; of triangles made from CAD")
       ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "Write it as .stl, or CAD as .step or .brep");

@@ -20,6 +20,7 @@
 #include "app/study/measure.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/tools/geo_script.hpp"
 #include "solver/motion/interrupt.hpp"
 
 namespace weaveform::study {
@@ -155,6 +156,7 @@ private:
         this_program().string(), "run",     files.scene.string(), "--output",
         files.results.string(),  "--quiet", "--threads",          std::to_string(options_.threads)};
     if (resume) words.emplace_back("--resume");
+    if (geo_scripts_are_trusted()) words.emplace_back("--trust-geo");
     next.process = start_child(words, files.log);
     running_.push_back(std::move(next));
   }

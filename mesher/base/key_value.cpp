@@ -43,6 +43,9 @@ bool within(const Limits& limits, double number) {
   return (limits.open ? number > limits.least : number >= limits.least) && number <= limits.greatest;
 }
 
+// Beyond this a number of whatever unit is a slip of the pen, and its square may be infinite soon.
+constexpr double greatest_number = 1e30;
+
 // The finite number of a node, or nothing after a complaint.
 std::optional<double> number_of(const toml::node& node, const KeyRule& rule, const std::string& wanted,
                                 Complaints& complaints) {
@@ -57,8 +60,11 @@ std::optional<double> number_of(const toml::node& node, const KeyRule& rule, con
   }
   if (!std::isfinite(number)) {
     complaints.add(node, fmt::format("'{}' is {}; it must be a finite number", rule.name, number));
-  } else if (!within(rule.limits, number)) {
+  } else if (!within(limits_of(rule), number)) {
     complaints.add(node, fmt::format("'{}' is {}; it must be {}", rule.name, number, range_words(rule)));
+  } else if (std::abs(number) > greatest_number) {
+    complaints.add(
+        node, fmt::format("'{}' is {}; no number beyond {:g} has a meaning here", rule.name, number, greatest_number));
   } else {
     return number;
   }
@@ -117,13 +123,21 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+Limits limits_of(const KeyRule& rule) {
+  Limits limits = rule.limits;
+  if (rule.unit != "mm") return limits;
+  if (limits.least < -greatest_length) limits.least = -greatest_length;
+  if (limits.greatest > greatest_length) limits.greatest = greatest_length;
+  return limits;
+}
+
 std::string range_words(const KeyRule& rule) {
   if (!rule.allowed.empty()) {
     std::vector<std::string> names;
     for (const auto& name : rule.allowed) names.push_back("'" + name + "'");
     return fmt::format("{}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "));
   }
-  const std::string words = number_limits(rule.limits);
+  const std::string words = number_limits(limits_of(rule));
   const bool bare = words.empty() || rule.unit.empty() || rule.unit == "1";
   return bare ? words : words + " " + rule.unit;
 }

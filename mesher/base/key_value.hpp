@@ -31,6 +31,9 @@ struct Limits {
   return {.least = least};
 }
 
+// No length in a scene is greater (a kilometre, in mm): sums and squares of what lies within keep their digits.
+inline constexpr double greatest_length = 1e6;
+
 // What the key table says about a key besides its type and default.
 struct KeyRule {
   std::string name = {};
@@ -79,6 +82,8 @@ using TomlText = std::optional<std::string>;
 [[nodiscard]] std::string type_words(const std::vector<std::vector<double>>&);
 [[nodiscard]] std::string type_words(const std::optional<double>&);
 
+// The rule's own limits, and for lengths (mm) those that all lengths have.
+[[nodiscard]] Limits limits_of(const KeyRule& rule);
 // "> 0 mm", ">= 0.05 and <= 100", "one of 'a', 'b'", or "" when anything goes.
 [[nodiscard]] std::string range_words(const KeyRule& rule);
 // A letter, then letters, digits, '_' or '-'.

@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <stdexcept>
 
+#include "mesher/base/bytes.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/tools/gmsh_session.hpp"
+#include "mesher/tools/triangles.hpp"
 
 namespace weaveform {
 namespace {
@@ -75,6 +80,36 @@ std::vector<int> boundary_curves() {
   return result;
 }
 
+std::string encoded_boundary(double chord_tolerance) {
+  const std::vector<int> curves = boundary_curves();
+  ByteWriter bytes;
+  bytes.value<std::uint64_t>(curves.size());
+  for (const int curve : curves) bytes.list(chords_of(curve, chord_tolerance));
+  return bytes.take();
+}
+
+// What a child sends is believed no more than the file it read.
+std::vector<Polyline> decoded(const std::string& bytes, const std::string& file) {
+  std::vector<Polyline> lines;
+  try {
+    ByteReader reader(bytes);
+    for (std::size_t left = reader.count_of(sizeof(std::uint64_t)); left > 0; --left)
+      lines.push_back(reader.list<Point>());
+  } catch (const std::runtime_error& trouble) {
+    throw InputError(
+        fmt::format("{}: its curves came back in pieces ({}); write the file again", file, trouble.what()));
+  }
+  for (const Polyline& line : lines) {
+    if (line.empty()) throw InputError(file + ": holds a curve without points; write the file again");
+    for (const Point& point : line)
+      for (const double x : point)
+        if (!(std::abs(x) <= farthest_corner))
+          throw InputError(fmt::format("{}: a curve runs to {} mm; lengths of an outline are within {:g} mm", file, x,
+                                       farthest_corner));
+  }
+  return lines;
+}
+
 double extent_of(const std::vector<Polyline>& lines) {
   Point low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
   for (const auto& line : lines)
@@ -118,9 +153,7 @@ std::vector<OutlineLoop> joined_loops(std::vector<Polyline> lines, double near, 
 
 std::vector<OutlineLoop> read_cad_outline(const std::string& file, double chord_tolerance,
                                           std::vector<std::string>& complaints) {
-  const GmshSession session(file);
-  std::vector<Polyline> lines;
-  for (const int curve : boundary_curves()) lines.push_back(chords_of(curve, chord_tolerance));
+  std::vector<Polyline> lines = decoded(with_gmsh(file, [&] { return encoded_boundary(chord_tolerance); }), file);
   if (lines.empty()) {
     complaints.push_back(file + ": no curve in it; an outline is a planar face or closed curves");
     return {};

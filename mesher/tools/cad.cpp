@@ -4,12 +4,16 @@
 #include <gmsh.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cerrno>
 #include <cmath>
-#include <fstream>
+#include <cstdlib>
+#include <stdexcept>
+#include <system_error>
 #include <unordered_map>
 
+#include "mesher/base/bytes.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/tools/gmsh_session.hpp"
 
 namespace weaveform {
@@ -19,12 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr double first_per_turn = 16.0;    // triangles around a full circle, to begin with
 constexpr double greatest_per_turn = 400;  // a tolerance that wants more is a slip of the pen
-
-std::string ending(const fs::path& file) {
-  std::string text = file.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 using Point = std::array<double, 3>;
 
@@ -84,32 +82,16 @@ CadSurface triangulate(double per_turn) {
   return surface;
 }
 
-}  // namespace
-
-bool is_cad_file(const fs::path& file) {
-  static const std::array<std::string, 6> endings = {".step", ".stp", ".iges", ".igs", ".brep", ".geo"};
-  return std::find(endings.begin(), endings.end(), ending(file)) != endings.end();
-}
-
-CadSurface read_cad(const fs::path& file, double chord_tolerance) {
-  const GmshSession session(file);
+// In the child: finer and finer until the measured error is within the tolerance.
+CadSurface within_tolerance(const fs::path& file, double chord_tolerance) {
   for (double per_turn = first_per_turn;;) {
-    CadSurface surface;
-    try {
-      surface = triangulate(per_turn);
-    } catch (const std::string& trouble) {
-      throw InputError(
-          fmt::format("{}: Gmsh cannot mesh this geometry ({}); mend it or write it as STL", file.string(), trouble));
-    } catch (const std::runtime_error& trouble) {
-      throw InputError(fmt::format("{}: Gmsh cannot mesh this geometry ({}); mend it or write it as STL", file.string(),
-                                   trouble.what()));
-    }
+    CadSurface surface = triangulate(per_turn);
     if (surface.list.triangle.empty())
       throw InputError(file.string() + ": holds no surface; write the part's faces or solid into it");
     if (surface.chord_error <= chord_tolerance) return surface;
     // the error goes with the square of the side; a little more than that asks for
     const double factor = 1.1 * std::sqrt(surface.chord_error / chord_tolerance);
-    if (per_turn * factor > greatest_per_turn)
+    if (!(per_turn * factor <= greatest_per_turn))
       throw InputError(
           fmt::format("{}: triangles come within {:.3g} mm of the surface, not within chord_tolerance = {:.3g} "
                       "mm; ask for less",
@@ -118,14 +100,75 @@ CadSurface read_cad(const fs::path& file, double chord_tolerance) {
   }
 }
 
-void convert_cad(const fs::path& from, const fs::path& to) {
-  const GmshSession session(from);
+std::string encoded(const CadSurface& surface) {
+  ByteWriter bytes;
+  bytes.value(surface.chord_error);
+  bytes.list(surface.list.point);
+  bytes.list(surface.list.triangle);
+  return bytes.take();
+}
+
+// What a child sends is believed no more than the file it read.
+CadSurface decoded(const std::string& bytes, const fs::path& file) {
+  CadSurface surface;
   try {
-    gmsh::write(to.string());
-  } catch (...) {
-    throw FileError(to.string() + ": Gmsh cannot write this; end its name in .step or .brep and check the folder");
+    ByteReader reader(bytes);
+    surface.chord_error = reader.value<double>();
+    surface.list.point = reader.list<Point>();
+    surface.list.triangle = reader.list<std::array<int, 3>>();
+  } catch (const std::runtime_error& trouble) {
+    throw InputError(
+        fmt::format("{}: its surface came back in pieces ({}); write the file again", file.string(), trouble.what()));
   }
-  if (!std::ifstream(to)) throw FileError(to.string() + ": nothing was written; check the folder");
+  require_sound(surface.list, file.string());
+  return surface;
+}
+
+class PrivateFolder {
+public:
+  PrivateFolder() {
+    std::string name = (fs::temp_directory_path() / "weaveform-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw_cannot_write(name, errno);
+    path_ = name;
+  }
+  ~PrivateFolder() {
+    std::error_code unimportant;
+    fs::remove_all(path_, unimportant);
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+}  // namespace
+
+bool is_cad_file(const fs::path& file) {
+  return cad_format(file) != CadFormat::none;
+}
+
+CadSurface read_cad(const fs::path& file, double chord_tolerance) {
+  const std::string bytes = with_gmsh(file, [&] { return encoded(within_tolerance(file, chord_tolerance)); });
+  return decoded(bytes, file);
+}
+
+void convert_cad(const fs::path& from, const fs::path& to) {
+  const PrivateFolder folder;
+  const fs::path written = folder.path() / ("part" + to.extension().string());
+  (void)with_gmsh(
+      from,
+      [&] {
+        gmsh::write(written.string());
+        return std::string("written");
+      },
+      folder.path());
+  std::error_code trouble;
+  if (!fs::is_regular_file(fs::symlink_status(written, trouble)))
+    throw FileError(to.string() + ": Gmsh cannot write this; end its name in .step or .brep");
+  fs::copy_file(written, to, fs::copy_options::overwrite_existing, trouble);
+  if (trouble) throw_cannot_write(to, trouble.value());
 }
 
 }  // namespace weaveform

@@ -1,4 +1,5 @@
-// Tools from CAD through the Gmsh SDK, as triangles within a chord tolerance of the true surface.
+// Tools from CAD through the Gmsh SDK, as triangles within a chord tolerance of the true surface. Files are read in a
+// child process with limits of time and memory; scripts are taken as data (gmsh_session.hpp, geo_script.hpp).
 #pragma once
 
 #include <filesystem>

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/key_value.hpp"
 
 namespace weaveform {
 namespace {
@@ -76,6 +77,9 @@ ProfilePiece rounding(const Vec2& before, const Vec2& corner, const Vec2& after,
 void check_corner(const std::vector<double>& corner, bool at_end, const std::string& name) {
   if (corner.size() < 2 || corner.size() > 4)
     throw InputError(name + ": write [r, z], [r, z, radius] or [r, z, centre_r, centre_z]");
+  for (const double x : corner)
+    if (!(std::abs(x) <= greatest_length))
+      throw InputError(fmt::format("{}: {} is no length within {:g} mm", name, x, greatest_length));
   if (corner[0] < 0.0) throw InputError(fmt::format("{}: r is {}; it must not be negative", name, corner[0]));
   if (corner.size() == 3 && (corner[2] <= 0.0 || at_end))
     throw InputError(name + ": a rounded corner needs a radius above 0 and a line on either side");
@@ -88,7 +92,7 @@ void append_line(Profile& profile, const Vec2& start, const Vec2& end) {
 void append_arc(Profile& profile, const Vec2& start, const std::vector<double>& corner, const std::string& name) {
   const Vec2 end = {corner[0], corner[1]}, centre = {corner[2], corner[3]};
   const double first = length(minus(start, centre)), second = length(minus(end, centre));
-  if (std::abs(first - second) > 1e-6 * first || first <= same_point)
+  if (!(std::abs(first - second) <= 1e-6 * first) || first <= same_point)
     throw InputError(fmt::format("{}: its centre is {:.8g} mm from the start of the arc and {:.8g} mm from its end",
                                  name, first, second));
   if (std::abs(cross(minus(start, centre), minus(end, centre))) < 1e-9 * first * first)

@@ -8,6 +8,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/tools/cad.hpp"
+#include "mesher/tools/stl.hpp"
 #include "mesher/tools/triangle_report.hpp"
 
 namespace weaveform {

@@ -14,6 +14,8 @@
 #include <numeric>
 #include <set>
 
+#include "mesher/base/error.hpp"
+
 namespace weaveform {
 namespace {
 
@@ -146,8 +148,22 @@ Soup oriented_soup(const TriangleList& list) {
   return soup;
 }
 
+// CGAL's own checks, of whatever build, are about the surface here.
+template <class Work>
+auto with_cgal(const Work& work) {
+  try {
+    return work();
+  } catch (const CGAL::Failure_exception& failure) {
+    throw InputError(
+        fmt::format("a surface of triangles cannot be made of these (CGAL: {}); repair it where it was "
+                    "made",
+                    failure.message().empty() ? failure.expression() : failure.message()));
+  }
+}
+
 void find_intersections(const TriangleList& list, TriangleReport& report) {
   auto [points, polygons] = oriented_soup(list);
+  if (polygons.empty()) return;
   SurfaceMesh mesh;
   pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
@@ -197,7 +213,7 @@ TriangleReport inspect(const TriangleList& list) {
   const std::vector<int> piece = pieces_of(list, report.pieces);
   if (report.closed)
     for (const double v : signed_volumes(list, piece, report.pieces)) report.volume += v;
-  find_intersections(list, report);
+  with_cgal([&] { find_intersections(list, report); });
   return report;
 }
 
@@ -232,7 +248,8 @@ TriangleList turned_over(TriangleList list) {
 }
 
 TriangleList turned_alike(const TriangleList& list, const Point3& outside) {
-  auto [points, polygons] = oriented_soup(list);
+  auto [points, polygons] = with_cgal([&] { return oriented_soup(list); });
+  if (polygons.empty()) throw InputError("the surface has no triangle with an area; repair it where it was made");
   TriangleList result;
   for (const auto& p : points) result.point.push_back({p.x(), p.y(), p.z()});
   for (const auto& p : polygons)

@@ -3,13 +3,11 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "mesher/base/error.hpp"
@@ -68,18 +66,6 @@ struct TriangleSurface::Tree {
   std::vector<std::array<bool, 7>> border;           // the same layout: part of the border of an open surface
   AabbTree tree;
 };
-
-TriangleList read_stl(const std::filesystem::path& file) {
-  if (!std::ifstream(file)) throw FileError(file.string() + ": cannot read this file; check its name and rights");
-  std::vector<Point> points;
-  std::vector<std::array<int, 3>> triangles;
-  if (!CGAL::IO::read_STL(file.string(), points, triangles) || triangles.empty())
-    throw InputError(file.string() + ": not an STL surface; write it again as text or binary STL");
-  TriangleList list;
-  for (const auto& p : points) list.point.push_back({p.x(), p.y(), p.z()});
-  list.triangle = std::move(triangles);
-  return list;
-}
 
 TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& where) : tree_(std::make_unique<Tree>()) {
   std::vector<Point> points;

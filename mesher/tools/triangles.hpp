@@ -3,20 +3,12 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <memory>
-#include <vector>
+#include <string>
+
+#include "mesher/tools/triangle_list.hpp"
 
 namespace weaveform {
-
-struct TriangleList {
-  std::vector<std::array<double, 3>> point;  // mm
-  std::vector<std::array<int, 3>> triangle;
-};
-
-// Text or binary STL; equal points become one. Throws FileError when the file cannot be read, InputError when it holds
-// no surface.
-[[nodiscard]] TriangleList read_stl(const std::filesystem::path& file);
 
 struct SurfaceDistance {
   double distance;               // mm; negative inside

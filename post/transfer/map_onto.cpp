@@ -1,24 +1,23 @@
 #include <fmt/format.h>
 #include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellType.h>
 #include <vtkGenericCell.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "mesher/base/error.hpp"
 #include "mesher/import/foreign_mesh.hpp"
-#include "mesher/mesh/mesh_format.hpp"
-#include "mesher/mesh/vtk_messages.hpp"
+#include "mesher/mesh/vtu_grid.hpp"
+#include "mesher/tools/triangle_list.hpp"
 #include "post/transfer/fibre_field.hpp"
 
 namespace weaveform {
@@ -154,30 +153,26 @@ FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure) {
 namespace {
 
 ForeignMesh read_vtu_shells(const std::filesystem::path& file) {
-  const VtkMessages quiet;
-  std::error_code trouble;
-  if (!std::filesystem::is_regular_file(file, trouble) || !mesh_format::ends_with_closing_tag(file))
-    throw FileError(fmt::format("{}: not there, not readable, or cut short before </VTKFile>", file.string()));
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkUnstructuredGrid* grid = reader->GetOutput();
-  if (reader->GetErrorCode() != 0 || grid == nullptr || grid->GetNumberOfPoints() == 0)
-    throw FileError(fmt::format("{}: not a readable .vtu file", file.string()));
+  const VtuGrid grid = read_vtu(file, std::vector<std::string>{}, "write it again");
+  if (grid.point.empty()) throw FileError(fmt::format("{}: no points in it; write it again", file.string()));
   ForeignMesh mesh;
   mesh.file = file.string();
-  mesh.position.resize(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  mesh.position = grid.point;
   for (std::size_t n = 0; n < mesh.position.size(); ++n) {
-    grid->GetPoint(static_cast<vtkIdType>(n), mesh.position[n].data());
+    for (const double x : mesh.position[n])
+      if (!(std::abs(x) <= farthest_corner))
+        throw InputError(fmt::format("{}: point {} lies at {}; write it again in mm", mesh.file, n, x));
     mesh.number.push_back(static_cast<long>(n) + 1);
   }
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
-    const int type = grid->GetCellType(c);
-    if (type != VTK_TRIANGLE && type != VTK_QUAD) continue;
+  for (std::size_t c = 0; c < grid.cells(); ++c) {
+    const std::int64_t nodes = grid.type[c] == VTK_TRIANGLE ? 3 : grid.type[c] == VTK_QUAD ? 4 : 0;
+    if (nodes == 0) continue;
+    if (grid.offset[c + 1] - grid.offset[c] != nodes)
+      throw InputError(fmt::format("{}: cell {} has {} points where its type has {}; write it again", mesh.file, c,
+                                   grid.offset[c + 1] - grid.offset[c], nodes));
     ForeignElement shell{static_cast<long>(c) + 1, 0, {}};
-    vtkNew<vtkIdList> ids;
-    grid->GetCellPoints(c, ids);
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) shell.node.push_back(static_cast<int>(ids->GetId(k)));
+    for (std::int64_t k = grid.offset[c]; k < grid.offset[c + 1]; ++k)
+      shell.node.push_back(static_cast<int>(grid.node[static_cast<std::size_t>(k)]));
     mesh.shells.push_back(std::move(shell));
   }
   return mesh;

@@ -133,8 +133,8 @@ SimulatedState Simulation::at_travel(double travel, const std::string& asked_by)
     const double share = to == from ? 0.0 : std::clamp((travel - from) / (to - from), 0.0, 1.0);
     if (share < 1e-9) return at_frame(k);
     if (share > 1.0 - 1e-9) return at_frame(k + 1);
-    std::vector<Vec3> position = read_frame_positions(frame_[k].file);
-    const std::vector<Vec3> next = read_frame_positions(frame_[k + 1].file);
+    std::vector<Vec3> position = read_frame_positions(frame_[k].file, mesh_);
+    const std::vector<Vec3> next = read_frame_positions(frame_[k + 1].file, mesh_);
     for (std::size_t n = 0; n < position.size(); ++n)
       for (std::size_t c = 0; c < 3; ++c) position[n][c] += share * (next[n][c] - position[n][c]);
     return state(position, frame_[k].time + share * (frame_[k + 1].time - frame_[k].time), travel);

@@ -102,7 +102,9 @@ struct FrameFile {
   std::filesystem::path file;
 };
 [[nodiscard]] std::vector<FrameFile> list_frames(const std::filesystem::path& directory);  // from result.pvd
-[[nodiscard]] std::vector<Vec3> read_frame_positions(const std::filesystem::path& frame);  // mm; per node
+// mm; per node, all of them finite. Throws FileError (not there), InputError (damaged, or not of this mesh).
+[[nodiscard]] std::vector<Vec3> read_frame_positions(const std::filesystem::path& frame);
+[[nodiscard]] std::vector<Vec3> read_frame_positions(const std::filesystem::path& frame, const Mesh& mesh);
 // An array of a frame by name (cell, point or field data), tuple after tuple. Throws InputError when it is not there.
 [[nodiscard]] std::vector<double> read_frame_array(const std::filesystem::path& frame, const std::string& name);
 

@@ -6,6 +6,7 @@ set(ROBUST_SOURCES
   fuzz/targets.cpp
   robust/include_direction_test.cpp
   robust/interrupted_test.cpp
+  robust/nobody_let_in_test.cpp
   robust/result_folder_test.cpp
   robust/study_test.cpp
 )

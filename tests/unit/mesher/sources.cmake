@@ -3,6 +3,8 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/chart_test.cpp
   unit/mesher/drape_test.cpp
   unit/mesher/export_columns_test.cpp
+  unit/mesher/geo_script_test.cpp
+  unit/mesher/guarded_test.cpp
   unit/mesher/identify_fit_file_test.cpp
   unit/mesher/identify_raw_table_test.cpp
   unit/mesher/identify_shear_test.cpp
@@ -21,7 +23,9 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/lattice_step_test.cpp
   unit/mesher/lattice_totals_test.cpp
   unit/mesher/mesh_io_test.cpp
+  unit/mesher/stl_test.cpp
   unit/mesher/tools_cad_test.cpp
   unit/mesher/tools_distance_test.cpp
   unit/mesher/tools_scene_test.cpp
+  unit/mesher/vtu_grid_test.cpp
 )
