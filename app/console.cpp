@@ -33,6 +33,10 @@ void log_line(const std::string& text) {
   fmt::print(stderr, "{}\n", text);
 }
 
+void log_warning(const std::string& text) {
+  if (!text.empty()) log_line("warning: " + text);
+}
+
 int report(const std::exception& error) {
   if (const auto* input = dynamic_cast<const InputError*>(&error)) {
     for (const auto& complaint : input->complaints()) fmt::print(stderr, "error: {}\n", complaint);

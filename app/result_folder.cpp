@@ -2,15 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
-#include <fstream>
-#include <string_view>
 #include <system_error>
 
 #include "app/version.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/material/card.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/tools/tool.hpp"
 
 namespace weaveform {
 
@@ -18,27 +19,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// First words of every scene.toml that Weaveform writes; by them it knows its own copy again.
-constexpr std::string_view scene_copy_mark = "# Written by weaveform";
+// What the stages leave in a result folder (solver/result/result.hpp, post/post.hpp, post/output/drape_result.hpp).
+constexpr std::array solve_files = {"result.pvd", "history.csv", "solve.json", "checkpoint.bin",
+                                    "checkpoint_clean.bin"};
+constexpr std::array post_files = {"contours.vtp",   "summary.json",  "meridians.csv", "meridians.svg",
+                                   "outline.csv",    "outline.vtp",   "wrinkles.vtp",  "punch_force.svg",
+                                   "sphere_net.csv", "sphere_net.svg"};
+constexpr std::array other_files = {"drape.vtu", "drape.json", "flat_pattern.csv", "accuracy.md"};
+constexpr const char* frame_names = "frames/frame_[0-9][0-9][0-9][0-9]*.vtu";
 
-// What solve and post leave in a result folder (solver/result/result.hpp, post/post.hpp).
-constexpr std::array result_files = {
-    "result.pvd",     "history.csv",    "solve.json",  "contours.vtp", "summary.json",    "checkpoint.bin",
-    "meridians.csv",  "meridians.svg",  "outline.csv", "outline.vtp",  "wrinkles.vtp",    "punch_force.svg",
-    "sphere_net.csv", "sphere_net.svg", "drape.vtu",   "drape.json",   "flat_pattern.csv"};
-
-bool written_by_weaveform(const fs::path& scene_copy) {
-  std::ifstream file(scene_copy);
-  std::string line;
-  return std::getline(file, line) && line.starts_with(scene_copy_mark);
+bool is_frame(const std::string& name) {
+  constexpr std::string_view begin = "frame_", end = ".vtu";
+  if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size() + 4) return false;
+  const std::string number = name.substr(begin.size(), name.size() - begin.size() - end.size());
+  return number.find_first_not_of("0123456789") == std::string::npos;
 }
 
-void remove_frames(const fs::path& frames) {
-  if (!fs::is_directory(frames)) return;
-  for (const auto& entry : fs::directory_iterator(frames)) {
-    const fs::path name = entry.path().filename();
-    if (name.string().starts_with("frame_") && name.extension() == ".vtu") fs::remove(entry.path());
-  }
+// Whether running the folder's own copy writes the same copy again.
+bool stays_as_it_is(const Scene& scene, const fs::path& copy) {
+  return is_our_folder(copy.parent_path()) &&
+         scene_to_toml(read_scene(copy)) == scene_to_toml(with_absolute_paths(scene));
 }
 
 }  // namespace
@@ -47,30 +47,57 @@ fs::path default_result_folder(const fs::path& scene_file) {
   return fs::path("results") / scene_file.stem();
 }
 
-void prepare_folder(const fs::path& directory) {
-  const fs::path scene_copy = directory / "scene.toml";
-  if (fs::exists(scene_copy) && !written_by_weaveform(scene_copy))
-    throw InputError(fmt::format("{}: not written by weaveform and would be lost; choose another --output folder",
-                                 scene_copy.string()));
-  std::error_code trouble;
-  fs::create_directories(directory, trouble);
-  if (trouble || !fs::is_directory(directory)) {
-    const std::string reason = trouble ? trouble.message() : "a file of that name is in the way";
-    throw FileError(
-        fmt::format("{}: cannot make this folder ({}); choose another --output", directory.string(), reason));
-  }
+std::vector<fs::path> input_files(const Scene& scene) {
+  std::vector<fs::path> files = {scene.file};
+  if (!is_builtin_card(scene.fabric.material)) files.push_back(card_path(scene.fabric.material, scene.file));
+  if (!scene.blank.outline.empty()) files.push_back(fs::path(scene.file).parent_path() / scene.blank.outline);
+  for (const auto& tool : scene.tools)
+    if (!tool.file.empty()) files.push_back(tool_path(tool.file, scene.file));
+  return files;
+}
+
+OutputClaim later_claim(const fs::path& directory, const Scene& scene) {
+  OutputClaim claim = post_claim(directory, scene);
+  claim.names.emplace_back(frame_names);
+  claim.names.insert(claim.names.end(), solve_files.begin(), solve_files.end());
+  claim.names.insert(claim.names.end(), other_files.begin(), other_files.end());
+  return claim;
+}
+
+OutputClaim post_claim(const fs::path& directory, const Scene& scene) {
+  return {.directory = directory,
+          .names = std::vector<std::string>(post_files.begin(), post_files.end()),
+          .inputs = input_files(scene)};
+}
+
+OutputClaim result_claim(const fs::path& directory, const Scene& scene) {
+  OutputClaim claim = later_claim(directory, scene);
+  claim.names.insert(claim.names.end(), {"mesh.vtu", "scene.toml"});
+  std::error_code missing;
+  const fs::path copy = directory / "scene.toml";
+  if (fs::equivalent(copy, scene.file, missing) && !missing && stays_as_it_is(scene, copy))
+    claim.inputs.erase(claim.inputs.begin());
+  return claim;
+}
+
+void clear_folder(const fs::path& directory) {
   remove_results(directory);
   fs::remove(directory / "mesh.vtu");
 }
 
 void remove_results(const fs::path& directory) {
-  for (const char* name : result_files) fs::remove(directory / name);
-  remove_frames(directory / "frames");
+  for (const char* name : solve_files) fs::remove(directory / name);
+  for (const char* name : post_files) fs::remove(directory / name);
+  for (const char* name : other_files) fs::remove(directory / name);
+  const fs::path frames = directory / "frames";
+  if (!fs::is_directory(fs::symlink_status(frames))) return;
+  for (const auto& entry : fs::directory_iterator(frames))
+    if (is_frame(entry.path().filename().string())) fs::remove(entry.path());
 }
 
 void write_scene_copy(const Scene& scene, const fs::path& directory) {
   write_text_whole(directory / "scene.toml",
-                   fmt::format("{}: {}\n{}", scene_copy_mark, version_line(), scene_to_toml(scene)));
+                   fmt::format("# {}: {}\n{}", written_mark, version_line(), scene_to_toml(scene)));
 }
 
 void require_file(const fs::path& directory, const std::string& name, const std::string& made_by) {

@@ -1,9 +1,11 @@
-// The result folder as a whole: made, cleared of an older run, its copy of the scene. The rooms write their own files.
+// The result folder as a whole: claimed, cleared of an older run, its copy of the scene. The rooms write their own
+// files.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
+#include "app/output_folder.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {
@@ -11,10 +13,18 @@ namespace weaveform {
 // results/NAME, NAME being the scene file's name without its ending.
 [[nodiscard]] std::filesystem::path default_result_folder(const std::filesystem::path& scene_file);
 
-// Makes the folder and clears it of an older run's files. Files that are not Weaveform's are left alone; a scene.toml
-// that Weaveform did not write is an InputError, because the run's own copy would overwrite somebody's work. Throws
-// FileError when the folder cannot be made.
-void prepare_folder(const std::filesystem::path& directory);
+// Everything that a run of the scene may write to the folder, and every file that the scene names, itself included. The
+// folder's own copy of the scene may be run into its folder as long as the scene stays what it is.
+[[nodiscard]] OutputClaim result_claim(const std::filesystem::path& directory, const Scene& scene);
+// For the stages that read scene and mesh, and then the results too, from the folder.
+[[nodiscard]] OutputClaim later_claim(const std::filesystem::path& directory, const Scene& scene);
+[[nodiscard]] OutputClaim post_claim(const std::filesystem::path& directory, const Scene& scene);
+
+// Scene file, material card, outline and tools, as far as they are files.
+[[nodiscard]] std::vector<std::filesystem::path> input_files(const Scene& scene);
+
+// Removes mesh and results of an older run, in a folder that is claimed. Other files are left alone.
+void clear_folder(const std::filesystem::path& directory);
 
 // Removes what solve and post write (frames, result.pvd, history.csv, ...), so that no old frame mixes with new
 // results.

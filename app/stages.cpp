@@ -15,6 +15,7 @@
 #include "mesher/scene/reader.hpp"
 #include "mesher/symmetry/find_symmetry.hpp"
 #include "post/post.hpp"
+#include "solver/motion/identity.hpp"
 
 namespace weaveform {
 
@@ -51,31 +52,54 @@ void log_start(const std::string& command, const Scene& scene) {
 }
 
 void write_model(const Model& model, const fs::path& directory) {
-  prepare_folder(directory);
+  clear_folder(directory);
   // The folder's copy may be read from anywhere, so nothing in it may hang on where the original lies.
   write_scene_copy(with_absolute_paths(model.scene), directory);
   write_mesh(model.mesh, directory / "mesh.vtu");
 }
 
-void require_same_scene(const Scene& scene, const fs::path& directory) {
-  require_file(directory, "scene.toml", "weaveform run SCENE, without --resume");
-  const fs::path copy = directory / "scene.toml";
-  if (scene_to_toml(read_scene(copy)) == scene_to_toml(with_absolute_paths(scene))) return;
-  throw InputError(
-      fmt::format("{}: the scene is not the one this run began with; start anew without --resume, or go on "
-                  "as it began with 'weaveform solve {} --resume'",
-                  scene.file, directory.string()));
+Scene scene_of(const fs::path& directory) {
+  require_file(directory, "scene.toml", "weaveform mesh SCENE --output DIR");
+  return read_scene(directory / "scene.toml");
+}
+
+void go_on_with_model(const Model& model, const fs::path& directory, bool quiet) {
+  if (!fs::exists(directory / "scene.toml") || !fs::exists(directory / "mesh.vtu")) {
+    if (!quiet)
+      log_line(fmt::format("{}: holds no run to go on from; starting from the beginning", directory.string()));
+    return write_model(model, directory);
+  }
+  const auto lines = differences(scene_identity(scene_of(directory)), scene_identity(model.scene), "this run");
+  if (lines.empty() && !has_checkpoint(directory) && !is_finished(directory)) return write_model(model, directory);
+  if (lines.empty()) return write_scene_copy(with_absolute_paths(model.scene), directory);
+  std::vector<std::string> complaints;
+  for (const auto& line : lines)
+    complaints.push_back(
+        fmt::format("{}: {}; start anew without --resume, or go on as it began with 'weaveform solve {} "
+                    "--resume'",
+                    model.scene.file, line, directory.string()));
+  throw InputError(complaints);
 }
 
 void solve_folder(const fs::path& directory, const SolveOptions& options) {
-  require_file(directory, "scene.toml", "weaveform mesh SCENE --output DIR");
+  const Scene scene = scene_of(directory);
   require_file(directory, "mesh.vtu", "weaveform mesh SCENE --output DIR");
-  const Scene scene = read_scene(directory / "scene.toml");
   const Card card = load_card(scene.fabric.material, scene.file);
   const Mesh mesh = read_mesh(directory / "mesh.vtu");
   if (!options.quiet) log_line(describe(find_symmetry(scene, card, mesh)));
-  if (!options.resume) remove_results(directory);
-  solve(mesh, scene, card, directory, options);
+  SolveOptions how = options;
+  how.program = version_line();
+  if (how.resume && !has_checkpoint(directory)) {
+    const bool finished = is_finished(directory);
+    if (!options.quiet)
+      log_line(fmt::format(
+          "{}: {}", directory.string(),
+          finished ? "this run is finished already" : "no checkpoint was written yet; starting from the beginning"));
+    if (finished) return;
+    how.resume = false;
+  }
+  if (!how.resume) remove_results(directory);
+  solve(mesh, scene, card, directory, how);
 }
 
 std::string post_folder(const fs::path& directory) {

@@ -30,13 +30,19 @@ struct Model {
 // Logs program, command and every value of the scene, so that the log alone can be run again.
 void log_start(const std::string& command, const Scene& scene);
 
-// mesh: DIR/mesh.vtu and DIR/scene.toml, in a folder cleared of an older run.
+// The folder's own scene.
+[[nodiscard]] Scene scene_of(const std::filesystem::path& directory);
+
+// mesh: DIR/mesh.vtu and DIR/scene.toml, in a folder that is claimed, cleared of an older run.
 void write_model(const Model& model, const std::filesystem::path& directory);
 
-// Throws InputError unless DIR/scene.toml says the same as `scene`: an analysis goes on only as it began.
-void require_same_scene(const Scene& scene, const std::filesystem::path& directory);
+// run --resume: the folder's scene and mesh as they are when they are those of `model`, or made when the run was
+// stopped before they were. Throws InputError, with what differs, when DIR/scene.toml is another scene: an analysis
+// goes on only as it began, but for keys that change nothing in the history (solver/motion/identity.hpp).
+void go_on_with_model(const Model& model, const std::filesystem::path& directory, bool quiet);
 
-// solve: reads DIR/scene.toml and DIR/mesh.vtu, adds frames, history and statistics. Throws what solve throws.
+// solve: reads DIR/scene.toml and DIR/mesh.vtu, adds frames, history and statistics. With options.resume, a finished
+// run is left alone, and one that left no checkpoint begins again; both are said. Throws what solve throws.
 void solve_folder(const std::filesystem::path& directory, const SolveOptions& options);
 
 // post: adds contours and summary; gives the table to print.

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "mesher/base/files.hpp"
 #include "mesher/symmetry/cut_part.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/motion/analysis.hpp"
+#include "solver/motion/interrupt.hpp"
 
 namespace weaveform {
 namespace {
@@ -22,19 +24,31 @@ double farthest(const std::vector<Vec3>& one, const std::vector<Vec3>& other) {
   return greatest;
 }
 
+constexpr const char* checkpoint_name = "checkpoint.bin";
+constexpr const char* clean_checkpoint_name = "checkpoint_clean.bin";  // of the run that a perturbed one is set beside
+
 // Folded cells can carry nearly the right load, so a perturbed start is judged by positions, against the clean run.
-void compare_with_clean_run(const Mesh& mesh, const Scene& scene, const Card& card, const SolveOptions& options,
-                            SolveResult& result) {
+void compare_with_clean_run(const Mesh& mesh, const Scene& scene, const Card& card,
+                            const std::filesystem::path& directory, const SolveOptions& options, SolveResult& result) {
   Scene clean = scene;
   clean.analysis.perturbation = 0.0;
   SolveOptions quiet = options;
   quiet.quiet = true;
-  quiet.resume = false;
+  quiet.stop_at_step = 0;
+  if (!directory.empty()) quiet.checkpoint_file = directory / clean_checkpoint_name;
+  quiet.resume = options.resume && std::filesystem::exists(quiet.checkpoint_file);
   const SolveResult reference = Analysis(mesh, nullptr, clean, card, {}, quiet).run();
   auto& s = result.statistics;
   s.perturbation_distance_mm = farthest(result.position, reference.position);
   s.perturbation_returned = s.folded_cells_at_end == reference.statistics.folded_cells_at_end &&
                             s.perturbation_distance_mm < returned_share * std::min(mesh.spacing[0], mesh.spacing[1]);
+}
+
+// What the run ended with is on the disk before the checkpoints go.
+void close_run(const SolveStatistics& statistics, const std::filesystem::path& directory) {
+  write_statistics(statistics, directory / "solve.json");
+  for (const char* name : {"history.csv", "solve.json", "."}) settle_on_disk(directory / name);
+  for (const char* name : {checkpoint_name, clean_checkpoint_name}) std::filesystem::remove(directory / name);
 }
 
 // The fabric with analysis.mass_scale times its mass; loading.cpp and gravity.cpp leave it out again, for durations are
@@ -51,15 +65,23 @@ SolveResult solve(const Mesh& real, const Scene& scene, const Card& card, const 
   std::optional<Mesh> scaled;
   if (scene.analysis.mass_scale != 1.0) scaled = heavier(real, scene.analysis.mass_scale);
   const Mesh& mesh = scaled ? *scaled : real;
+  const InterruptWatch interrupt;
   std::optional<SymmetricPart> part;
   if (const Symmetry symmetry = find_symmetry(scene, card, mesh); !symmetry.plane.empty())
     part = cut_part(mesh, symmetry, choose_flexure(card, scene.model).bends_yarns);
   SolveResult result = Analysis(mesh, part ? &*part : nullptr, scene, card, directory, options).run();
-  if (scene.analysis.perturbation > 0.0) {
-    compare_with_clean_run(mesh, scene, card, options, result);
-    if (!directory.empty()) write_statistics(result.statistics, directory / "solve.json");
-  }
+  if (scene.analysis.perturbation > 0.0) compare_with_clean_run(mesh, scene, card, directory, options, result);
+  if (!directory.empty()) close_run(result.statistics, directory);
   return result;
+}
+
+bool has_checkpoint(const std::filesystem::path& directory) {
+  return std::filesystem::exists(directory / checkpoint_name);
+}
+
+bool is_finished(const std::filesystem::path& directory) {
+  const auto file = directory / "solve.json";
+  return !has_checkpoint(directory) && std::filesystem::exists(file) && read_statistics(file).finished;
 }
 
 }  // namespace weaveform

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/output_folder.hpp"
 #include "mesher/base/files.hpp"
 #include "mesher/base/toml_document.hpp"
 #include "mesher/material/identify/raw_table.hpp"
@@ -25,6 +26,7 @@ struct ChartArguments {
   std::string output;
   int points = 0;  // so many of the files, from the first, are drawn as points
   bool log_x = false, log_y = false;
+  bool force = false;
 };
 
 void draw(const ChartArguments& arguments) {
@@ -47,6 +49,7 @@ void draw(const ChartArguments& arguments) {
   // The chart is all that is asked for, so that no gnuplot is an error here; and an older chart must not pass for this
   // one.
   const std::filesystem::path output = arguments.output;
+  require_writable(output, {arguments.files.begin(), arguments.files.end()}, arguments.force);
   std::filesystem::remove(output);
   write_text_whole(output, output.extension() == ".html" ? to_html(chart.title, {chart}) : to_svg(chart));
 }
@@ -69,6 +72,7 @@ void add_chart_command(CLI::App& program) {
   command->add_option("--points", arguments->points, "Draw that many files, from the first, as points");
   command->add_flag("--log-x", arguments->log_x, "Logarithmic x axis");
   command->add_flag("--log-y", arguments->log_y, "Logarithmic y axis");
+  add_force_argument(*command, arguments->force);
   command->callback([arguments] { draw(*arguments); });
 }
 

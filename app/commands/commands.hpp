@@ -66,11 +66,15 @@ inline void add_quiet_argument(CLI::App& command, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Print nothing but errors");
 }
 
+inline void add_force_argument(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "Overwrite files that Weaveform did not write; never an input of the command");
+}
+
 inline void add_solve_arguments(CLI::App& command, SolveOptions& options) {
   command.add_option("--threads", options.threads, "Threads; 0 chooses from the size; the results are the same bits")
       ->check(CLI::Range(0, 1024));
   command.add_flag("--resume", options.resume,
-                   "Go on from the checkpoint an interrupted run left in the result folder");
+                   "Go on from the checkpoint that a stopped or killed run left in the result folder");
   add_quiet_argument(command, options.quiet);
 }
 

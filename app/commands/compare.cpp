@@ -9,7 +9,9 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/output_folder.hpp"
 #include "mesher/base/error.hpp"
+#include "post/measurement/measurement.hpp"
 #include "post/virtual_dic/border.hpp"
 #include "post/virtual_dic/export.hpp"
 
@@ -27,11 +29,29 @@ struct DicArguments {
   std::string output;
   std::string format = "aramis";
   std::vector<double> facets = {2.0, 4.0, 6.0, 8.0, 10.0};
-  bool keys = false, quiet = false;
+  bool keys = false, force = false, quiet = false;
 };
 
 void require_result(const DicArguments& arguments) {
   if (arguments.result.empty()) throw InputError("RESULT is required; '--help' tells more");
+}
+
+// What both read: the result folder's files, the settings and what they name.
+std::vector<fs::path> files_read(const DicArguments& arguments, const dic::Settings& settings) {
+  std::vector<fs::path> files = {arguments.settings};
+  if (!settings.load.file.empty()) files.push_back(fs::path(settings.file).parent_path() / settings.load.file);
+  for (const char* name : {"scene.toml", "mesh.vtu", "result.pvd", "history.csv"})
+    files.push_back(fs::path(arguments.result) / name);
+  return files;
+}
+
+OutputClaim claim_of(const DicArguments& arguments, const fs::path& output, std::vector<fs::path> inputs,
+                     std::vector<std::string> names) {
+  return {.directory = output,
+          .names = std::move(names),
+          .inputs = std::move(inputs),
+          .can_force = true,
+          .force = arguments.force};
 }
 
 void run_compare(const DicArguments& arguments) {
@@ -42,6 +62,12 @@ void run_compare(const DicArguments& arguments) {
   const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
   const fs::path output =
       arguments.output.empty() ? fs::path(arguments.result) / "comparison" : fs::path(arguments.output);
+  std::vector<fs::path> inputs = files_read(arguments, settings);
+  for (const auto& file : dic::measurement_files(arguments.measurement)) inputs.push_back(file);
+  const OutputFolder folder(
+      claim_of(arguments, output, inputs,
+               {"stages.csv", "lines.csv", "loads.csv", "loads.svg", "angles.svg", "comparison.json", "stage_*"}));
+  if (!arguments.quiet) log_warning(folder.trouble());
   const auto comparison = dic::compare(arguments.result, arguments.measurement, settings, output);
   if (arguments.quiet) return;
   print_answer(dic::verdict_table(comparison));
@@ -53,6 +79,9 @@ void run_virtual(const DicArguments& arguments) {
   const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
   const fs::path output =
       arguments.output.empty() ? fs::path(arguments.result) / "virtual" : fs::path(arguments.output);
+  const OutputFolder folder(
+      claim_of(arguments, output, files_read(arguments, settings), {"stages/stage_*", "loads.csv", "settings.toml"}));
+  if (!arguments.quiet) log_warning(folder.trouble());
   const auto made = dic::export_virtual(arguments.result, arguments.format, settings, output);
   if (arguments.quiet) return;
   log_line(fmt::format("{} stages of {} points: {}; what they need to be read: {}", made.files.size(), made.points,
@@ -87,6 +116,7 @@ void add_dic_commands(CLI::App& post) {
   compare->add_option("-o,--output", arguments->output, "Folder of the comparison (default: RESULT/comparison)")
       ->type_name("DIR");
   compare->add_flag("--keys", arguments->keys, "Print every key of the settings file (Markdown)");
+  add_force_argument(*compare, arguments->force);
   add_quiet_argument(*compare, arguments->quiet);
   compare->callback([arguments] { run_compare(*arguments); });
 
@@ -95,6 +125,7 @@ void add_dic_commands(CLI::App& post) {
   make->add_option("--format", arguments->format, "'aramis' or 'dice' (default aramis)");
   make->add_option("-o,--output", arguments->output, "Folder of the virtual measurement (default: RESULT/virtual)")
       ->type_name("DIR");
+  add_force_argument(*make, arguments->force);
   add_quiet_argument(*make, arguments->quiet);
   make->callback([arguments] { run_virtual(*arguments); });
 

@@ -31,8 +31,10 @@ void make_drape(const DrapeArguments& arguments) {
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("drape", scene);
+  const OutputFolder folder(result_claim(directory, scene));
+  log_warning(folder.trouble());
   const Drape drape = drape_blank(scene, mesh);
-  prepare_folder(directory);
+  clear_folder(directory);
   write_scene_copy(with_absolute_paths(scene), directory);
   write_drape(scene, mesh, card, drape, directory);
   if (!arguments.quiet) print_answer(describe_drape(mesh, card, drape));

@@ -10,6 +10,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/result_folder.hpp"
 #include "app/stages.hpp"
 #include "app/version.hpp"
 #include "mesher/base/files.hpp"
@@ -37,7 +38,7 @@ struct ExportArguments {
   std::string format;
   std::string output;
   std::string onto;
-  bool quiet = false;
+  bool force = false, quiet = false;
 };
 
 Model model_of(const ExportArguments& arguments) {
@@ -51,6 +52,17 @@ Model model_of(const ExportArguments& arguments) {
   return model;
 }
 
+// What the command reads.
+std::vector<fs::path> files_read(const ExportArguments& arguments, const Scene& scene) {
+  std::vector<fs::path> files = input_files(scene);
+  if (!arguments.onto.empty()) files.emplace_back(arguments.onto);
+  if (!fs::is_directory(arguments.from)) return files;
+  for (const char* name : {"mesh.vtu", "result.pvd", "history.csv"}) files.push_back(fs::path(arguments.from) / name);
+  if (fs::is_directory(fs::path(arguments.from) / "frames"))
+    for (const auto& entry : fs::directory_iterator(fs::path(arguments.from) / "frames")) files.push_back(entry.path());
+  return files;
+}
+
 void log_not_carried(const ExportArguments& arguments, const std::vector<std::string>& lines) {
   if (arguments.quiet) return;
   for (const auto& line : lines) log_line("not carried: " + line);
@@ -60,6 +72,7 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   if (!arguments.onto.empty())
     throw InputError("--onto maps a formed result; it goes with orientation-abaqus, drape-openradioss, csv and vtu");
   const Model model = model_of(arguments);
+  require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
   const double duration = choose_loading(model.scene, model.card).duration;
   const ExportedMesh file = export_mesh(format, model.scene, model.card, model.mesh, duration, version_line());
   write_text_whole(arguments.output, file.text);
@@ -71,6 +84,11 @@ void export_fibres(const ExportArguments& arguments) {
   if (!fs::is_directory(arguments.from))
     throw InputError(fmt::format("{}: --format {} needs the folder of a solved scene ('weaveform run SCENE')",
                                  arguments.from, arguments.format));
+  // in both of the formats that have no place for a comment
+  require_writable(arguments.output, files_read(arguments, scene_of(arguments.from)), arguments.force,
+                   arguments.format == "csv"   ? "thickness_mm,fibre_volume_ratio,"
+                   : arguments.format == "vtu" ? "Name=\"fibre_volume_ratio\""
+                                               : "");
   FibreField field = read_fibre_field(arguments.from);
   if (!arguments.onto.empty()) field = map_onto(field, read_structural_mesh(arguments.onto));
   if (arguments.format == "vtu") {
@@ -122,6 +140,7 @@ void add_export_command(CLI::App& program) {
                    "Override a value of the scene, e.g. --set blank.coarsening=2; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
   command->callback([arguments] { run_export(*arguments); });
 }

@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/output_folder.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
 #include "mesher/material/identify/identify.hpp"
@@ -19,8 +20,19 @@ struct FitArguments {
   std::string file;
   std::string output;
   bool keys = false;
-  bool quiet = false;
+  bool force = false, quiet = false;
 };
+
+// The fit file, its base card and every test file.
+std::vector<std::filesystem::path> input_files(const identify::FitSpec& spec) {
+  const std::filesystem::path file = spec.file;
+  std::vector<std::filesystem::path> files = {file};
+  if (!spec.head.base.empty() && !is_builtin_card(spec.head.base)) files.push_back(card_path(spec.head.base, file));
+  for (const auto* tests : {&spec.tensile, &spec.shear_frame, &spec.bias_extension})
+    for (const auto& test : *tests)
+      for (const auto& name : test.files) files.push_back(file.parent_path() / name);
+  return files;
+}
 
 void fit(const FitArguments& arguments) {
   if (arguments.keys) return print_answer(identify::fit_reference_markdown());
@@ -28,11 +40,18 @@ void fit(const FitArguments& arguments) {
   const std::filesystem::path file = arguments.file;
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / file.stem()
                                                                    : std::filesystem::path(arguments.output);
-  const auto found = identify::identify(identify::read_fit(file));
+  const auto spec = identify::read_fit(file);
+  const auto found = identify::identify(spec);
   if (!arguments.quiet) {
     for (const auto& warning : found.warnings) log_line("warning: " + warning);
   }
-  for (const auto& output : identify::output_files(found)) {
+  const auto outputs = identify::output_files(found);
+  OutputClaim claim{
+      .directory = directory, .names = {}, .inputs = input_files(spec), .can_force = true, .force = arguments.force};
+  for (const auto& output : outputs) claim.names.push_back(output.name);
+  const OutputFolder folder(claim);
+  log_warning(folder.trouble());
+  for (const auto& output : outputs) {
     if (output.chart)
       write_chart(directory / output.name, *output.chart);
     else
@@ -52,6 +71,7 @@ void add_fit_command(CLI::App& program) {
   command->add_option("-o,--output", arguments->output, "Result folder (default: results/NAME of the fit file)")
       ->type_name("DIR");
   command->add_flag("--keys", arguments->keys, "Print every key of a fit file (Markdown)");
+  add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
   command->callback([arguments] { fit(*arguments); });
 }

@@ -53,7 +53,11 @@ void run_import(const ImportArguments& arguments) {
     imported = import_foreign(file, model.scene, model.card);
   }
   model.mesh = std::move(imported.mesh);
-  prepare_folder(directory);
+  OutputClaim claim = result_claim(directory, model.scene);
+  claim.inputs.push_back(arguments.file);
+  for (const auto& tool : model.scene.tools) claim.names.push_back(tool.name + ".stl");
+  const OutputFolder folder(claim);
+  log_warning(folder.trouble());
   model.scene = with_absolute_paths(model.scene);
   keep_tools(file, directory, model.scene);
   write_model(model, directory);

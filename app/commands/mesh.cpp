@@ -29,6 +29,8 @@ void make_mesh(const MeshArguments& arguments) {
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("mesh", model.scene);
+  const OutputFolder folder(result_claim(directory, model.scene));
+  log_warning(folder.trouble());
   write_model(model, directory);
   if (!arguments.quiet) print_answer(describe(model));
 }

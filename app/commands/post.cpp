@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/result_folder.hpp"
 #include "app/stages.hpp"
 
 namespace weaveform {
@@ -27,6 +28,8 @@ void add_post_command(CLI::App& program) {
   command->callback([arguments, command] {
     if (!command->get_subcommands().empty()) return;
     if (arguments->directory.empty()) throw InputError("DIR is required; 'weaveform post --help' tells more");
+    const OutputFolder folder(post_claim(arguments->directory, scene_of(arguments->directory)));
+    if (!arguments->quiet) log_warning(folder.trouble());
     const std::string table = post_folder(arguments->directory);
     if (!arguments->quiet) print_answer(table);
   });

@@ -11,6 +11,7 @@
 #include "app/study/accuracy.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/scene/reader.hpp"
 
 namespace weaveform {
 
@@ -39,9 +40,11 @@ void run_to_accuracy(const RunArguments& arguments) {
   options.threads = arguments.solve.threads;
   if (!arguments.solve.quiet) options.log = log_line;
   const std::filesystem::path directory = folder_of(arguments);
+  const OutputFolder folder(result_claim(directory, read_scene(arguments.scene.scene, arguments.scene.overrides)));
+  log_warning(folder.trouble());
   const study::Accuracy found =
       study::find_accuracy(arguments.scene.scene, arguments.scene.overrides, directory, options);
-  prepare_folder(directory);
+  clear_folder(directory);
   constexpr auto over = std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
   std::filesystem::copy(found.results, directory, over);
   write_text_whole(directory / "accuracy.md", found.table);
@@ -68,8 +71,10 @@ void run(const RunArguments& arguments) {
     log_start("run", model.scene);
     log_line(describe(model));
   }
+  const OutputFolder folder(result_claim(directory, model.scene));
+  log_warning(folder.trouble());
   if (arguments.solve.resume)
-    require_same_scene(model.scene, directory);
+    go_on_with_model(model, directory, arguments.solve.quiet);
   else
     write_model(model, directory);
   solve_folder(directory, arguments.solve);

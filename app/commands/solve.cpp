@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/result_folder.hpp"
 #include "app/stages.hpp"
 #include "app/version.hpp"
 
@@ -26,6 +27,8 @@ void add_solve_command(CLI::App& program) {
   add_solve_arguments(*command, arguments->solve);
   command->callback([arguments] {
     if (!arguments->solve.quiet) log_line(fmt::format("{}: solve {}", version_line(), arguments->directory));
+    const OutputFolder folder(later_claim(arguments->directory, scene_of(arguments->directory)));
+    log_warning(folder.trouble());
     solve_folder(arguments->directory, arguments->solve);
   });
 }

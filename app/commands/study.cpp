@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/output_folder.hpp"
 #include "app/study/border_run.hpp"
 #include "app/study/report.hpp"
 #include "app/study/runner.hpp"
@@ -49,6 +50,15 @@ void run_all(const StudyArguments& arguments, const study::Study& plan, const st
   if (!arguments.quiet && run == 0) log_line("every case has been run before");
 }
 
+// Marks the folder as ours, or refuses it; who runs cases in it holds DIR/cases.
+void claim_folder(const study::Study& plan, const std::filesystem::path& directory) {
+  const OutputFolder folder({.directory = directory,
+                             .names = {"study.csv", "convergence.md", "convergence.csv", "work_precision*", "border.*",
+                                       "Snakefile", "cases/*"},
+                             .inputs = {plan.file, study::scene_path(plan)}});
+  log_warning(folder.trouble());
+}
+
 void study_command(const StudyArguments& arguments) {
   if (arguments.keys) return print_answer(study::study_reference_markdown());
   if (arguments.file.empty()) throw InputError("STUDY is required; 'weaveform study --help' tells more");
@@ -56,6 +66,7 @@ void study_command(const StudyArguments& arguments) {
   const std::vector<study::Case> cases = plan.border ? study::border_ends(plan) : study::expand(plan);
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / plan.file.stem()
                                                                    : std::filesystem::path(arguments.output);
+  claim_folder(plan, directory);
   if (!arguments.format.empty()) {
     study::export_snakemake(plan, cases, directory);
     if (!arguments.quiet)

@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/output_folder.hpp"
 #include "mesher/base/files.hpp"
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/cad.hpp"
@@ -21,18 +22,19 @@ namespace {
 struct ToolArguments {
   std::string file;
   std::string output;
+  bool force = false;
   double chord_tolerance = ToolSpec{}.chord_tolerance;
 };
 
 std::string stl_text(const TriangleList& list) {
-  std::string text = "solid weaveform\n";
+  std::string text = "solid Written by weaveform\n";
   for (const auto& t : list.triangle) {
     text += "facet normal 0 0 0\nouter loop\n";
     for (const int n : t)
       text += fmt::format("vertex {} {} {}\n", list.point[n][0], list.point[n][1], list.point[n][2]);
     text += "endloop\nendfacet\n";
   }
-  return text + "endsolid weaveform\n";
+  return text + "endsolid Written by weaveform\n";
 }
 
 std::string describe_surface(const ToolArguments& arguments, const TriangleReport& report, double chord_error) {
@@ -57,6 +59,7 @@ void look_at_tool(const ToolArguments& arguments) {
   }
   print_answer(describe_surface(arguments, inspect(surface.list), surface.chord_error));
   if (output.empty()) return;
+  require_writable(output, {file}, arguments.force);
   if (output.extension() == ".stl")
     write_text_whole(output, stl_text(surface.list));
   else
@@ -79,6 +82,7 @@ void add_tool_command(CLI::App& program) {
   command->add_option("--chord-tolerance", arguments->chord_tolerance, "mm; of triangles made from CAD")
       ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "Write it as .stl, or CAD as .step or .brep");
+  add_force_argument(*command, arguments->force);
   command->callback([arguments] { look_at_tool(*arguments); });
 }
 

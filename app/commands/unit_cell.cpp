@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/output_folder.hpp"
 #include "app/version.hpp"
 #include "mesher/base/files.hpp"
 #include "mesher/material/card.hpp"
@@ -25,8 +26,13 @@ struct UnitCellArguments {
   double to = 70.0;       // deg
   int increments = 1400;  // a twentieth of a degree each
   std::string output;
-  bool quiet = false;
+  bool force = false, quiet = false;
 };
+
+std::vector<std::filesystem::path> card_files(const std::string& material) {
+  if (is_builtin_card(material)) return {};
+  return {card_path(material, {})};
+}
 
 void unit_cell(const UnitCellArguments& arguments) {
   const Card card = load_card(arguments.material);
@@ -37,6 +43,12 @@ void unit_cell(const UnitCellArguments& arguments) {
   const std::filesystem::path directory = arguments.output.empty()
                                               ? std::filesystem::path("results") / ("unit_cell_" + card.name)
                                               : std::filesystem::path(arguments.output);
+  const OutputFolder folder({.directory = directory,
+                             .names = {"unit_cell.csv", "unit_cell.md", "unit_cell.svg", "unit_cell_error.svg"},
+                             .inputs = card_files(arguments.material),
+                             .can_force = true,
+                             .force = arguments.force});
+  log_warning(folder.trouble());
   write_text_whole(directory / "unit_cell.csv", unit_cell_csv(study));
   write_text_whole(directory / "unit_cell.md", unit_cell_markdown(study, version_line()));
   write_chart(directory / "unit_cell.svg", unit_cell_chart(study));
@@ -62,6 +74,7 @@ void add_unit_cell_command(CLI::App& program) {
       ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "Result folder (default: results/unit_cell_CARD)")
       ->type_name("DIR");
+  add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
   command->callback([arguments] { unit_cell(*arguments); });
 }

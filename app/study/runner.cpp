@@ -1,16 +1,11 @@
 #include "app/study/runner.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <deque>
 #include <set>
 #include <thread>
@@ -20,6 +15,7 @@
 #include "app/study/measure.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/base/folder_lock.hpp"
 #include "mesher/tools/geo_script.hpp"
 #include "solver/motion/interrupt.hpp"
 
@@ -37,6 +33,7 @@ struct Running {
   Case one;
   pid_t process;
   Clock::time_point since;
+  bool resumed = false;
 };
 
 // Cases that have not ended for good, each scene once.
@@ -66,31 +63,15 @@ bool timed_enough(const CaseFiles& files, int repeats) {
   return std::ssize(walls) == repeats;
 }
 
-// Held while a study runs its cases; the system lets go of it however the program ends.
-class FolderLock {
-public:
-  explicit FolderLock(const fs::path& study_folder) {
-    const fs::path file = study_folder / "cases" / "lock";
-    std::error_code trouble;
-    fs::create_directories(file.parent_path(), trouble);
-    file_ = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0)
-      throw FileError(
-          fmt::format("{}: cannot be written ({}); choose another --output", file.string(), std::strerror(errno)));
-    if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-    close(file_);
-    throw FileError(
-        fmt::format("{}: another study is running its cases in this folder; wait for it, or choose another "
-                    "--output",
-                    study_folder.string()));
-  }
-  ~FolderLock() { close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
-private:
-  int file_ = -1;
-};
+// Held while a study runs its cases.
+FolderLock lock_cases(const fs::path& study_folder) {
+  std::error_code trouble;
+  fs::create_directories(study_folder / "cases", trouble);
+  if (trouble)
+    throw FileError(fmt::format("{}: cannot be made ({}); choose another --output", (study_folder / "cases").string(),
+                                trouble.message()));
+  return FolderLock(study_folder / "cases", "lock", "another study is running its cases in this folder");
+}
 
 class Pool {
 public:
@@ -150,12 +131,12 @@ public:
 private:
   void launch(Running next) {
     const CaseFiles files = case_files(folder_, next.one.name);
-    const bool resume = fs::exists(files.results / "checkpoint.bin");
+    next.resumed = fs::exists(files.results / "checkpoint.bin");
     fs::remove(files.log);
     std::vector<std::string> words = {
         this_program().string(), "run",     files.scene.string(), "--output",
         files.results.string(),  "--quiet", "--threads",          std::to_string(options_.threads)};
-    if (resume) words.emplace_back("--resume");
+    if (next.resumed) words.emplace_back("--resume");
     if (geo_scripts_are_trusted()) words.emplace_back("--trust-geo");
     next.process = start_child(words, files.log);
     running_.push_back(std::move(next));
@@ -165,6 +146,9 @@ private:
     const CaseFiles files = case_files(folder_, ended.one.name);
     if (code == static_cast<int>(ExitCode::interrupted)) return;
     if (code == 0 && !timed_enough(files, options_.repeats)) return launch(ended);
+    // a checkpoint of another version of the program, or a damaged one, is no fault of the case
+    const bool refused = code == static_cast<int>(ExitCode::input) || code == static_cast<int>(ExitCode::files);
+    if (ended.resumed && refused && fs::remove(files.results / "checkpoint.bin")) return launch(ended);
     write_text_whole(files.exit, fmt::format("{}\n", code));
     const double seconds = std::chrono::duration<double>(Clock::now() - ended.since).count();
     options_.log(fmt::format("case {}{}: {}: {}, {:.1f} s", ++ended_, total_ > 0 ? fmt::format(" of {}", total_) : "",
@@ -218,13 +202,13 @@ void write_case(const Case& one, const fs::path& study_folder) {
 }
 
 int run_wanted(const Wanted& wanted, const fs::path& study_folder, const RunOptions& options) {
-  const FolderLock lock(study_folder);
+  const FolderLock lock = lock_cases(study_folder);
   Pool pool(study_folder, options, 0);
   return run_pool(wanted, pool);
 }
 
 int run_cases(const std::vector<Case>& cases, const fs::path& study_folder, const RunOptions& options) {
-  const FolderLock lock(study_folder);
+  const FolderLock lock = lock_cases(study_folder);
   std::vector<Case> left = unfinished(cases, study_folder, options);
   Pool pool(study_folder, options, left.size());
   return run_pool([&] { return std::exchange(left, {}); }, pool);

@@ -26,6 +26,9 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+// By which a later run knows that the file may be overwritten.
+constexpr const char* own_mark = "<!-- Written by weaveform -->\n";
+
 // gnuplot names itself and its plots ("gnuplot_plot_1") in <title> elements, which viewers show beside the pointer: the
 // chart's title and the series' labels instead.
 std::string with_titles(const std::string& svg, const std::string& title, const std::vector<std::string>& labels) {
@@ -67,16 +70,18 @@ std::string with_own_ids(const std::string& svg, const std::string& prefix) {
 
 std::string to_svg(const Chart& chart) {
   const ChartScript script = gnuplot_script(chart);
-  return with_titles(run_gnuplot(script.text), chart.title, script.labels);
+  std::string svg = with_titles(run_gnuplot(script.text), chart.title, script.labels);
+  if (const std::size_t begin = svg.find("<svg"); begin != std::string::npos) svg.insert(begin, own_mark);
+  return svg;
 }
 
 std::string to_html(const std::string& title, const std::vector<Chart>& charts) {
   std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{1}<title>{0}</title>\n"
       "<style>body{{font-family:sans-serif;max-width:70em;margin:2em auto;padding:0 1em}}"
       "figure{{margin:2em 0}}svg{{max-width:100%;height:auto}}figcaption{{color:#404040;max-width:50em}}</style>\n"
       "</head>\n<body>\n<h1>{0}</h1>\n",
-      escaped(title));
+      escaped(title), own_mark);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::string svg = to_svg(charts[i]);
     page += fmt::format("<figure>\n{}", with_own_ids(svg.substr(svg.find("<svg")), fmt::format("chart{}_", i + 1)));

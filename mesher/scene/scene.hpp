@@ -136,9 +136,10 @@ struct AnalysisSpec {
 };
 
 struct OutputSpec {
-  int frames = 20;            // result frames after the initial one
-  int history = 200;          // rows of history.csv after the initial one
-  double contour_step = 5.0;  // deg; spacing of the shear-angle isolines
+  int frames = 20;                  // result frames after the initial one
+  int history = 200;                // rows of history.csv after the initial one
+  double contour_step = 5.0;        // deg; spacing of the shear-angle isolines
+  double checkpoint_minutes = 2.0;  // min of wall time between checkpoints; 0: none by time
   bool operator==(const OutputSpec&) const = default;
 };
 

@@ -389,6 +389,12 @@ const std::vector<Key<OutputSpec>> output_keys = {
                                     .unit = "deg",
                                     .limits = between(0.01, 90),
                                     .doc = "spacing of the shear-angle isolines"}),
+    key<&OutputSpec::checkpoint_minutes>(
+        {.name = "checkpoint_minutes",
+         .unit = "min",
+         .limits = between(0, 10000),
+         .doc = "wall time between checkpoints, which `--resume` goes on from after a kill or a power cut; stretched "
+                "where writing them would take more than a hundredth of the time; 0: none but on signals"}),
 };
 
 const std::vector<Key<MeasureSpec>> measure_keys = {

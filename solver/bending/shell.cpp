@@ -423,6 +423,8 @@ std::vector<double> Shell::memory() const {
 }
 
 void Shell::recall(const std::vector<double>& memory) {
+  for (const double value : memory)
+    if (!std::isfinite(value)) throw FileError("shell: a director that is not a number");
   auto& p = *parts_;
   auto from = memory.begin();
   for (double* value : {&p.step_before, &p.kinetic, &p.damping_work, &p.power_before}) *value = *from++;

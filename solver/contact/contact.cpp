@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "mesher/base/error.hpp"
 
@@ -412,11 +413,18 @@ void Contact::recall(const std::vector<double>& memory) {
   greatest_depth_ = memory.at(1);
   wall_s_ = memory.at(2);
   std::size_t next = 3;
-  for (auto& partner : partners_)
+  for (auto& partner : partners_) {
+    const int triangles = partner.tool.surface ? partner.tool.surface->size() : 0;
     visit_memory(partner, [&](auto& value) {
-      value = static_cast<std::remove_reference_t<decltype(value)>>(memory.at(next));
-      ++next;
+      const double kept = memory.at(next++);
+      if constexpr (std::is_same_v<decltype(value), int&>) {
+        if (!(kept >= 0.0 && kept < triangles)) throw FileError("contact: a triangle that the tool does not have");
+      } else if (std::isnan(kept)) {
+        throw FileError("contact: not a number");
+      }
+      value = static_cast<std::remove_reference_t<decltype(value)>>(kept);
     });
+  }
   read_instruments();
 }
 

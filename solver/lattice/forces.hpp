@@ -42,9 +42,10 @@ public:
   [[nodiscard]] double viscous_power() const;
   // mJ; work done on the cells so far, for formulations with a history (0 for the others).
   [[nodiscard]] double cell_work() const;
-  // The history of all cells as one list, for checkpoints; empty when the formulation has none.
-  [[nodiscard]] std::vector<double> history() const;
-  void set_history(const std::vector<double>& history);
+  // What the last call left behind, for checkpoints: the yarns' viscous power, and the history of all cells where the
+  // formulation has one. As long for every state and number of threads.
+  [[nodiscard]] std::vector<double> memory() const;
+  void recall(const std::vector<double>& memory);
 
 private:
   struct Kernels;

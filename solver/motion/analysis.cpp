@@ -11,7 +11,6 @@
 #include "mesher/base/error.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/motion/gravity.hpp"
-#include "solver/motion/interrupt.hpp"
 
 namespace weaveform {
 namespace {
@@ -60,6 +59,9 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       recorder_(grips_, make_probes(scene, whole_), duration_, scene.output.history),
       row_schedule_(duration_, scene.output.history),
       frame_schedule_(duration_, scene.output.frames),
+      checkpoint_file_(options.checkpoint_file.empty() && !directory_.empty() ? directory_ / "checkpoint.bin"
+                                                                              : options.checkpoint_file),
+      clock_(scene.output.checkpoint_minutes),
       progress_("solve", options.quiet),
       reach_(scene.analysis.step_bound == "stiffest"),
       displacement_(grips_.size(), 0.0),
@@ -126,21 +128,16 @@ void Analysis::add_terms() {
 }
 
 SolveResult Analysis::run() {
-  const InterruptWatch interrupt;
-  if (options_.resume)
+  if (options_.resume) {
     resume();
-  else
+  } else {
     perturb();
-  if (!directory_.empty())
-    frames_ =
-        std::make_unique<FrameWriter>(directory_, whole_, options_.resume ? frame_schedule_.index() : 0, tool_names());
-  if (!options_.resume) renew_step();
-  if (options_.resume)
-    recompute_fabric_forces();
-  else
+    open_result_files({});
+    renew_step();
     compute_forces();
-  if (!options_.resume) watch_reach();
-  if (!options_.resume) balance_.start = balance_.internal = stored_energy(mesh_positions(packed_, state_));
+    watch_reach();
+    balance_.start = balance_.internal = stored_energy(mesh_positions(packed_, state_));
+  }
   for (;;) {
     if (state_.step % check_interval == 0) {
       if (state_.step > 0) renew_step();  // a checkpoint is left before, never after, this look
@@ -151,10 +148,11 @@ SolveResult Analysis::run() {
     const bool last = finished();
     move(last);
     if (row_open_) close_row();
+    if (history_file_) history_file_->append(recorder_.history(), recorder_.closed_rows());
     if (last || (options_.most_steps > 0 && state_.step >= options_.most_steps)) break;
     compute_forces();
     watch_reach();
-    if (InterruptWatch::requested()) leave_checkpoint();
+    look_at_checkpoint();
   }
   recorder_.finish();
   progress_.finish(fmt::format("{} steps", state_.step));
@@ -212,13 +210,6 @@ void Analysis::follow() {
   if (mirrors_) mirrors_->follow(state_);
   if (ties_) ties_->follow(state_);
   if (mirrors_ && ties_) mirrors_->follow(state_);
-}
-
-// After a checkpoint: the terms have moved on to this time already, and the whole force is that of the checkpoint.
-void Analysis::recompute_fabric_forces() {
-  const Components whole = state_.force;
-  forces_.compute(state_);
-  state_.force = whole;
 }
 
 double Analysis::stored_energy(const std::vector<Vec3>& position) {

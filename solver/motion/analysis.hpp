@@ -13,6 +13,7 @@
 #include "solver/contact/contact.hpp"
 #include "solver/lattice/forces.hpp"
 #include "solver/motion/checkpoint.hpp"
+#include "solver/motion/checkpoint_clock.hpp"
 #include "solver/motion/critical_step.hpp"
 #include "solver/motion/force_term.hpp"
 #include "solver/motion/grips.hpp"
@@ -24,6 +25,7 @@
 #include "solver/motion/recorder.hpp"
 #include "solver/motion/schedule.hpp"
 #include "solver/motion/ties.hpp"
+#include "solver/result/history_file.hpp"
 #include "solver/solve.hpp"
 
 namespace weaveform {
@@ -41,7 +43,6 @@ private:
   void watch_reach();
   void compute_forces();
   void follow();
-  void recompute_fabric_forces();
   [[nodiscard]] double stored_energy(const std::vector<Vec3>& position);
   void close_balance(double kinetic);
   void set_viscous_time(double beta);
@@ -60,9 +61,16 @@ private:
   void add_terms();
   void perturb();
   void resume();
+  void open_result_files(std::vector<double> frame_times);
+  void look_at_checkpoint();
   void leave_checkpoint();
+  [[nodiscard]] Checkpoint checkpoint() const;
+  [[nodiscard]] CheckpointSizes checkpoint_sizes() const;
+  void recall(Checkpoint checkpoint);
   void report_progress();
-  [[nodiscard]] std::string identity() const;
+  [[nodiscard]] const Identity& identity();
+  [[nodiscard]] double wall() const;
+  [[nodiscard]] SolveStatistics statistics();
   [[nodiscard]] SolveResult result();
   [[noreturn]] void fail(const std::string& what) const;
 
@@ -96,6 +104,10 @@ private:
   Recorder recorder_;
   Schedule row_schedule_, frame_schedule_;
   std::unique_ptr<FrameWriter> frames_;
+  std::unique_ptr<HistoryFile> history_file_;
+  std::filesystem::path checkpoint_file_;  // empty: none is left
+  CheckpointClock clock_;
+  Identity identity_;  // found when first asked for
   Progress progress_;
 
   std::vector<std::vector<int>> grip_image_;     // per mirror plane: the grip that each is mirrored onto

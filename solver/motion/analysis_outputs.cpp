@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/base/digest.hpp"
 #include "solver/motion/analysis.hpp"
 #include "solver/motion/strain_error.hpp"
 
@@ -63,7 +64,10 @@ void Analysis::open_outputs() {
                                     : compute_row_fields(whole_, plane_, time, whole_position, !scene_.measure.empty());
   if (frame_due) {
     if (contact_ != nullptr) fields_.contact = whole_contact_state();
-    if (frames_) frames_->write(fields_);
+    if (frames_) {
+      frames_->write(fields_);
+      write_statistics(statistics(), directory_ / "solve.json");
+    }
     frame_schedule_.advance(time);
   }
   if (row_due) {
@@ -118,11 +122,19 @@ void Analysis::report_progress() {
                                balance_.internal > 0.0 ? balance_.kinetic / balance_.internal : 0.0));
 }
 
-SolveResult Analysis::result() {
-  SolveResult result;
-  result.history = recorder_.history();
-  result.position = fields_.position;
-  auto& s = result.statistics;
+double Analysis::wall() const {
+  return wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
+
+// Of the open row or frame.
+SolveStatistics Analysis::statistics() {
+  SolveStatistics s;
+  s.finished = false;
+  s.time_s = fields_.time;
+  s.program = options_.program;
+  s.scene_digest = digest_of(identity());
+  s.card_digest = digest_of(card_to_toml(card_));
+  s.mesh_digest = mesh_digest(whole_);
   s.cells = whole_.cells.size();
   s.nodes = whole_.node_count();
   s.yarns = whole_.yarn_count();
@@ -130,7 +142,8 @@ SolveResult Analysis::result() {
   s.cells_solved = mesh_.cells.size();
   s.steps = state_.step;
   s.duration_s = duration_;
-  s.wall_s = wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  s.wall_s = wall();
+  s.checkpoint_wall_s = clock_.spent();
   s.cell_steps_per_s = static_cast<double>(s.steps) * s.cells_solved / s.wall_s;
   s.step_s = smallest_step_;
   s.step_set_by = step_set_by_;
@@ -164,11 +177,17 @@ SolveResult Analysis::result() {
     const auto& frame = *scene_.frame;
     s.added_mass_t += (frame.mass_scale - 1.0) * 4.0 * frame.density * frame.section * frame.length;
   }
-  if (!directory_.empty()) {
-    write_history(result.history, directory_ / "history.csv");
-    write_statistics(s, directory_ / "solve.json");
-    std::filesystem::remove(directory_ / "checkpoint.bin");
-  }
+  return s;
+}
+
+SolveResult Analysis::result() {
+  SolveResult result;
+  result.history = recorder_.history();
+  result.position = fields_.position;
+  result.statistics = statistics();
+  result.statistics.finished = true;
+  if (frames_) frames_->settle();
+  if (!directory_.empty()) write_history(result.history, directory_ / "history.csv");
   return result;
 }
 

@@ -37,7 +37,9 @@ public:
                                    std::vector<double>& /*bound*/) const {}
   // s; above it the term's own unknowns are not stable.
   [[nodiscard]] virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
-  // What a checkpoint must keep.
+  // What a checkpoint must keep: everything that is not computed anew from positions and time before it is asked for.
+  // As long for every state. recall gets a list of that length, and throws FileError ("NAME: why") when it holds
+  // something that no memory of this term can.
   [[nodiscard]] virtual std::vector<double> memory() const { return {}; }
   virtual void recall(const std::vector<double>& /*memory*/) {}
 };

@@ -14,6 +14,8 @@ public:
   void add_forces(State& state, double step) override;
   // mJ; the work of the weight is that of an outside force: m g . (x - x at the start).
   [[nodiscard]] double external_work() const override { return work_; }
+  [[nodiscard]] std::vector<double> memory() const override { return {work_}; }
+  void recall(const std::vector<double>& memory) override { work_ = memory[0]; }
 
 private:
   Vec3 acceleration_;

@@ -9,19 +9,26 @@ void request_interrupt(int /*signal*/) {
   interrupt_requested = 1;
 }
 
+bool always_taken(int signal) {
+  return signal == SIGINT || signal == SIGTERM || signal == SIGQUIT;
+}
+
 }  // namespace
 
 InterruptWatch::InterruptWatch() {
   interrupt_requested = 0;
   struct sigaction action {};
   action.sa_handler = &request_interrupt;
-  sigaction(SIGINT, &action, &previous_int_);
-  sigaction(SIGTERM, &action, &previous_term_);
+  action.sa_flags = SA_RESTART;  // the checkpoint's writes go on
+  for (std::size_t k = 0; k < stopping_signals.size(); ++k) {
+    const int signal = stopping_signals[k];
+    sigaction(signal, nullptr, &previous_[k]);
+    if (previous_[k].sa_handler != SIG_IGN || always_taken(signal)) sigaction(signal, &action, nullptr);
+  }
 }
 
 InterruptWatch::~InterruptWatch() {
-  sigaction(SIGINT, &previous_int_, nullptr);
-  sigaction(SIGTERM, &previous_term_, nullptr);
+  for (std::size_t k = 0; k < stopping_signals.size(); ++k) sigaction(stopping_signals[k], &previous_[k], nullptr);
 }
 
 bool InterruptWatch::requested() {

@@ -51,6 +51,8 @@ public:
   [[nodiscard]] std::string name() const override { return "frame members"; }
   void add_forces(State& state, double step) override;
   [[nodiscard]] double stored_energy() const override { return energy_; }
+  [[nodiscard]] std::vector<double> memory() const override { return {energy_}; }
+  void recall(const std::vector<double>& memory) override { energy_ = memory[0]; }
   void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
                            std::vector<double>& bound) const override;
 

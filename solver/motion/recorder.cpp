@@ -89,8 +89,8 @@ void Recorder::finish() {
   close_window();
 }
 
-void Recorder::restore(History history, Window window) {
-  history_ = std::move(history);
+void Recorder::restore(std::vector<std::vector<double>> rows, Window window) {
+  history_.row = std::move(rows);
   window_ = std::move(window);
 }
 

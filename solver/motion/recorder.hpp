@@ -36,6 +36,9 @@ public:
   void finish();
 
   [[nodiscard]] const History& history() const { return history_; }
+  // Rows from the first that nothing will change any more.
+  [[nodiscard]] int closed_rows() const { return window_.row; }
+  [[nodiscard]] std::size_t impulses() const { return window_.impulse.size(); }
 
   // What a checkpoint must keep.
   struct Window {
@@ -44,7 +47,7 @@ public:
     int row = 0;                  // the row this window belongs to
   };
   [[nodiscard]] const Window& window() const { return window_; }
-  void restore(History history, Window window);
+  void restore(std::vector<std::vector<double>> rows, Window window);
 
 private:
   void close_window();

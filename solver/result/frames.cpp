@@ -226,15 +226,18 @@ struct FrameWriter::Grid {
   }
 };
 
-FrameWriter::FrameWriter(fs::path directory, const Mesh& mesh, int frames_kept, const std::vector<std::string>& tools)
-    : directory_(std::move(directory)), mesh_(mesh), grid_(std::make_unique<Grid>(mesh, tools)) {
-  if (frames_kept > 0) {
-    const std::vector<FrameFile> earlier = list_frames(directory_);
-    if (static_cast<int>(earlier.size()) < frames_kept)
-      throw FileError(fmt::format("{}: lists {} frames where the checkpoint counts {}; run again without --resume",
-                                  (directory_ / "result.pvd").string(), earlier.size(), frames_kept));
-    for (int k = 0; k < frames_kept; ++k) times_.push_back(earlier[k].time);
-  }
+FrameWriter::FrameWriter(fs::path directory, const Mesh& mesh, std::vector<double> kept,
+                         const std::vector<std::string>& tools)
+    : directory_(std::move(directory)),
+      mesh_(mesh),
+      times_(std::move(kept)),
+      grid_(std::make_unique<Grid>(mesh, tools)) {
+  if (fs::is_symlink(fs::symlink_status(directory_ / "frames")))
+    throw FileError(fmt::format("{}: is a link; remove it or choose another folder", (directory_ / "frames").string()));
+  for (std::size_t k = 0; k < times_.size(); ++k)
+    if (!fs::is_regular_file(fs::symlink_status(directory_ / frame_name(k))))
+      throw FileError(fmt::format("{}: not there, but the checkpoint counts {} frames; run again without --resume",
+                                  (directory_ / frame_name(k)).string(), times_.size()));
   // Frames of an earlier run in the same folder would otherwise stay behind, numbered past this run's last.
   std::error_code unimportant;
   for (std::size_t k = times_.size(); fs::remove(directory_ / frame_name(k), unimportant); ++k) {
@@ -254,6 +257,11 @@ void FrameWriter::write(const Fields& fields) {
   write_vtk_whole(directory_ / frame_name(times_.size()), *writer);
   times_.push_back(fields.time);
   write_index();
+}
+
+void FrameWriter::settle() {
+  for (; settled_ < times_.size(); ++settled_) settle_on_disk(directory_ / frame_name(settled_));
+  for (const char* name : {"frames", "result.pvd"}) settle_on_disk(directory_ / name);
 }
 
 void FrameWriter::write_index() const {

@@ -77,22 +77,37 @@ std::vector<double> History::values(const std::string& name) const {
   return values;
 }
 
-void write_history(const History& history, const std::filesystem::path& file) {
-  fmt::memory_buffer text;
+std::string history_rows_text(const History& history, int first, int last) {
+  std::string text;
   const auto out = std::back_inserter(text);
-  for (std::size_t k = 0; k < history.column.size(); ++k)
-    fmt::format_to(out, "{}{}", k == 0 ? "" : ",", quoted(history.column[k]));
-  fmt::format_to(out, "\n");
-  for (const auto& row : history.row) {
+  for (int r = first; r < last; ++r) {
+    const auto& row = history.row[r];
     for (std::size_t k = 0; k < row.size(); ++k) fmt::format_to(out, "{}{:.10g}", k == 0 ? "" : ",", row[k]);
-    fmt::format_to(out, "\n");
+    text += '\n';
   }
-  write_text_whole(file, {text.data(), text.size()});
+  return text;
 }
 
-History read_history(const std::filesystem::path& file) {
+std::string history_text(const History& history, int first, int last) {
+  std::string text;
+  for (std::size_t k = 0; k < history.column.size(); ++k) {
+    if (k > 0) text += ',';
+    text += quoted(history.column[k]);
+  }
+  text += '\n';
+  return text + history_rows_text(history, first, last);
+}
+
+void write_history(const History& history, const std::filesystem::path& file) {
+  write_text_whole(file, history_text(history, 0, static_cast<int>(history.row.size())));
+}
+
+History read_history(const std::filesystem::path& file, HistoryEnd end) {
   const std::string content = read_text_file(file);
   std::string_view text = content;
+  if (end == HistoryEnd::may_be_torn) text = text.substr(0, text.rfind('\n') + 1);
+  if (text.empty() && end == HistoryEnd::may_be_torn)
+    throw InputError(fmt::format("{}: has no heading yet; go on with --resume", file.string()));
   History history;
   history.column = take_record(text);
   for (int line = 2; !text.empty(); ++line) {

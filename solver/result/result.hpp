@@ -1,7 +1,8 @@
 // The result folder: the room that writes a file owns its format, so its readers stand here too.
 //   DIR/result.pvd + frames/frame_NNNN.vtu   fields over time, for ParaView
 //   DIR/history.csv                          one row per history time
-//   DIR/solve.json                           what the solve cost and how far it can be trusted
+//   DIR/solve.json                           what the solve cost and how far it can be trusted; `finished` says
+//                                            whether it is that of a whole run
 #pragma once
 
 #include <filesystem>
@@ -24,12 +25,17 @@ struct History {
 };
 
 struct SolveStatistics {
-  int cells = 0, nodes = 0, yarns = 0;  // of the whole blank, as in mesh.vtu
-  std::string symmetry = "none";        // "quarter", "half", or "none": the whole is solved
-  int cells_solved = 0;                 // the cells of that quarter or half, those cut by a mirror plane included
+  bool finished = true;  // false in the solve.json of a run under way, which is renewed with every frame
+  double time_s = 0.0;   // that the numbers below are of: duration_s when finished
+  std::string program;   // its version line
+  std::string scene_digest, card_digest, mesh_digest;  // of values and of the contents of files (motion/identity.hpp)
+  int cells = 0, nodes = 0, yarns = 0;                 // of the whole blank, as in mesh.vtu
+  std::string symmetry = "none";                       // "quarter", "half", or "none": the whole is solved
+  int cells_solved = 0;  // the cells of that quarter or half, those cut by a mirror plane included
   long steps = 0;
   double duration_s = 0.0;
   double wall_s = 0.0;               // of the time loop
+  double checkpoint_wall_s = 0.0;    // part of wall_s; since the run began or was resumed
   double cell_steps_per_s = 0.0;     // of the cells solved
   double step_s = 0.0;               // smallest step taken
   std::string step_set_by;           // which part set the step, e.g. "yarn (warp, node 123)"
@@ -75,10 +81,10 @@ struct SolveStatistics {
 //   tool_names   field data: contact_tool 1 is the first of them
 class FrameWriter {
 public:
-  // Keeps a reference to the mesh. Frames of an earlier run in `directory` are removed, but for the first
-  // `frames_kept`, which a resumed run goes on from. Throws FileError when fewer than that are there.
-  // With `tools`, their names, fields must hold the state of contact.
-  FrameWriter(std::filesystem::path directory, const Mesh& mesh, int frames_kept = 0,
+  // Keeps a reference to the mesh. Frames of an earlier run in `directory` are removed, but for the first, of the times
+  // `kept` (s), which a resumed run goes on from. Throws FileError when one of them is not there, or DIR/frames is a
+  // link. With `tools`, their names, fields must hold the state of contact.
+  FrameWriter(std::filesystem::path directory, const Mesh& mesh, std::vector<double> kept = {},
               const std::vector<std::string>& tools = {});
   ~FrameWriter();
   FrameWriter(const FrameWriter&) = delete;
@@ -86,6 +92,9 @@ public:
 
   void write(const Fields& fields);  // throws FileError
   [[nodiscard]] int count() const { return static_cast<int>(times_.size()); }
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }  // s; of the frames written
+  // Waits until all frames written, and their index, are on the disk.
+  void settle();
 
 private:
   struct Grid;  // the frame as VTK holds it; topology built once
@@ -94,6 +103,7 @@ private:
   std::filesystem::path directory_;
   const Mesh& mesh_;
   std::vector<double> times_;  // s
+  std::size_t settled_ = 0;    // frames known to be on the disk
   std::unique_ptr<Grid> grid_;
 };
 
@@ -109,7 +119,12 @@ struct FrameFile {
 [[nodiscard]] std::vector<double> read_frame_array(const std::filesystem::path& frame, const std::string& name);
 
 void write_history(const History& history, const std::filesystem::path& file);
-[[nodiscard]] History read_history(const std::filesystem::path& file);
+// Heading and rows [first, last) as write_history writes them, and the rows alone.
+[[nodiscard]] std::string history_text(const History& history, int first, int last);
+[[nodiscard]] std::string history_rows_text(const History& history, int first, int last);
+// A run that was killed while it wrote may leave a part of a line at the end, which then is left out.
+enum class HistoryEnd { whole, may_be_torn };
+[[nodiscard]] History read_history(const std::filesystem::path& file, HistoryEnd end = HistoryEnd::whole);
 void write_statistics(const SolveStatistics& statistics, const std::filesystem::path& file);
 [[nodiscard]] SolveStatistics read_statistics(const std::filesystem::path& file);
 

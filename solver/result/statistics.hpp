@@ -8,6 +8,12 @@ namespace weaveform {
 // Calls visit(name, field) for each field of a SolveStatistics, const or not, in the order of its declaration.
 template <class Statistics, class Visit>
 void for_each_statistic(Statistics& s, Visit visit) {
+  visit("finished", s.finished);
+  visit("time_s", s.time_s);
+  visit("program", s.program);
+  visit("scene_digest", s.scene_digest);
+  visit("card_digest", s.card_digest);
+  visit("mesh_digest", s.mesh_digest);
   visit("cells", s.cells);
   visit("nodes", s.nodes);
   visit("yarns", s.yarns);
@@ -16,6 +22,7 @@ void for_each_statistic(Statistics& s, Visit visit) {
   visit("steps", s.steps);
   visit("duration_s", s.duration_s);
   visit("wall_s", s.wall_s);
+  visit("checkpoint_wall_s", s.checkpoint_wall_s);
   visit("cell_steps_per_s", s.cell_steps_per_s);
   visit("step_s", s.step_s);
   visit("step_set_by", s.step_set_by);

@@ -1,5 +1,7 @@
 set(ROBUST_SOURCES
   support/run_command.cpp
+  robust/checkpoint_damage_test.cpp
+  robust/checkpoint_resume_test.cpp
   robust/docs_commands_test.cpp
   robust/exit_codes_test.cpp
   robust/fuzz_corpus_test.cpp
@@ -7,6 +9,8 @@ set(ROBUST_SOURCES
   robust/include_direction_test.cpp
   robust/interrupted_test.cpp
   robust/nobody_let_in_test.cpp
+  robust/killed_run_test.cpp
+  robust/kept_files_test.cpp
   robust/result_folder_test.cpp
   robust/study_test.cpp
 )
