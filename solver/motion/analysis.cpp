@@ -42,7 +42,7 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       card_(card),
       directory_(std::move(directory)),
       options_(options),
-      threads_(choose_threads(options.threads, mesh_.cells.size())),
+      team_(choose_threads(options.threads, mesh_.cells.size())),
       yarn_laws_(yarn_laws(card, scene.model)),
       packed_(pack_mesh(mesh_)),
       ties_(mesh_.tie.empty() || (scene.frame && scene.frame->rigid) ? nullptr
@@ -50,12 +50,12 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       mirrors_(part != nullptr ? std::make_unique<MirrorPlanes>(mesh_, packed_) : nullptr),
       state_(initial_state(packed_, mesh_)),
       grips_(make_grips(scene, mesh_, packed_)),
-      forces_(packed_, card, yarn_laws_, scene.model, state_, threads_),
+      forces_(packed_, card, yarn_laws_, scene.model, state_, team_),
       critical_step_(mesh_, card, yarn_laws_, scene.model, held_nodes(grips_, mesh_, packed_)),
       internal_energy_(mesh_, card, yarn_laws_, scene.model),
       loading_(choose_loading(scene, card)),
       duration_(loading_.duration),
-      motion_(packed_, loading_.damping, threads_),
+      motion_(packed_, loading_.damping, team_),
       plane_(blank_plane(whole)),
       recorder_(grips_, make_probes(scene, whole_), duration_, scene.output.history),
       row_schedule_(duration_, scene.output.history),
@@ -104,7 +104,7 @@ void Analysis::add_terms() {
   // a shear frame's members turn, so that yarns are not clamped in them
   const auto clamped = scene_.frame ? std::vector<char>(mesh_.node_count(), 0) : held_nodes(grips_, mesh_, packed_);
   if (flexure.bends_yarns || flexure.rotation_free) {
-    auto bending = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, threads_,
+    auto bending = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, team_,
                                                     scene_.analysis.bending_every);
     bending_ = bending.get();
     terms_.push_back(std::move(bending));
@@ -114,12 +114,12 @@ void Analysis::add_terms() {
       finite_step(critical_step_(mesh_positions(packed_, state_), stiffest).step, duration_, scene_.output);
   if (flexure.has_shell) {
     auto shell = std::make_unique<Shell>(mesh_, packed_, card_, flexure, clamped, state_,
-                                         Shell::Setup{fabric_step, loading_.damping, threads_});
+                                         Shell::Setup{fabric_step, loading_.damping, team_});
     shell_ = shell.get();
     terms_.push_back(std::move(shell));
   }
   if (scene_.tools.empty()) return;
-  auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, threads_);
+  auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, team_);
   contact_ = contact.get();
   terms_.push_back(std::move(contact));
   recorder_.record_tools(scene_.tools);

@@ -74,7 +74,7 @@ private:
   const Card& card_;
   std::filesystem::path directory_;
   SolveOptions options_;
-  int threads_;
+  Team team_;
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;

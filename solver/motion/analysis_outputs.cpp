@@ -149,7 +149,7 @@ SolveResult Analysis::result() {
   for (const double strain : fields_.yarn_strain) s.max_yarn_strain = std::max(s.max_yarn_strain, strain);
   s.folded_cells = folded_;
   s.folded_cells_at_end = static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true));
-  s.threads = threads_;
+  s.threads = team_.threads();
   if (contact_ != nullptr) {
     const Contact::Cost cost = contact_->cost();
     s.contact_penetration = cost.penetration;
