@@ -30,7 +30,12 @@ void add_study_command(CLI::App& program);
 struct SceneArguments {
   std::string scene;                   // file
   std::vector<std::string> overrides;  // "key=value"
+  bool yes = false;                    // to memory, disk and hours beyond the bounds (app/room.hpp)
 };
+
+inline void add_yes_argument(CLI::App& command, bool& yes) {
+  command.add_flag("--yes", yes, "Begin although more memory, disk or time is expected to be needed than there is");
+}
 
 inline void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
   command.add_option("SCENE", arguments.scene, "Scene file (TOML; 'weaveform keys' lists what it may hold)")
@@ -41,6 +46,7 @@ inline void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
                   "Override a value of the scene, e.g. --set grip.top.travel=40; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  add_yes_argument(command, arguments.yes);
 }
 
 inline void add_output_argument(CLI::App& command, std::string& directory) {
@@ -53,7 +59,7 @@ inline void add_folder_argument(CLI::App& command, std::string& directory) {
 }
 
 inline void add_quiet_argument(CLI::App& command, bool& quiet) {
-  command.add_flag("-q,--quiet", quiet, "Print nothing but errors");
+  command.add_flag("-q,--quiet", quiet, "Print nothing but warnings and errors");
 }
 
 inline void add_solve_arguments(CLI::App& command, SolveOptions& options) {

@@ -62,18 +62,21 @@ void run_to_accuracy(const RunArguments& arguments) {
 
 void run(const RunArguments& arguments) {
   if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
-  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides);
+  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes);
   const std::filesystem::path directory = folder_of(arguments);
+  if (!arguments.solve.resume) require_room(model, directory, arguments.scene.yes);
   if (!arguments.solve.quiet) {
     log_start("run", model.scene);
     log_line(describe(model));
   }
+  const std::vector<std::string> said = early_warnings(model);
+  log_warnings(said);
   if (arguments.solve.resume)
     require_same_scene(model.scene, directory);
   else
     write_model(model, directory);
-  solve_folder(directory, arguments.solve);
-  const std::string table = post_folder(directory);
+  solve_folder(directory, arguments.solve, true);  // there is room, as asked above
+  const std::string table = post_folder(directory, said);
   if (!arguments.solve.quiet) print_answer(table);
 }
 

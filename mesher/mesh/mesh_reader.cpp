@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "mesher/mesh/mesh_format.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 
@@ -68,7 +69,7 @@ Grid read_grid(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw FileError(fmt::format("{}: no such file; make it with 'weaveform mesh'", file.string()));
-  if (!std::ifstream(file)) throw FileError(fmt::format("{}: cannot be opened; check its permissions", file.string()));
+  require_regular_file(file);
   // asked first: of a file cut short VTK takes the sizes of arrays from whatever it finds, and the memory for them
   if (!mesh_format::ends_with_closing_tag(file)) throw unreadable(file);
   vtkNew<vtkXMLUnstructuredGridReader> reader;

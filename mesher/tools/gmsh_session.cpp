@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform {
 
@@ -29,7 +29,7 @@ Silence::~Silence() {
 }
 
 GmshSession::GmshSession(const std::filesystem::path& file) {
-  if (!std::ifstream(file)) throw FileError(file.string() + ": cannot read this file; check its name and rights");
+  require_regular_file(file);
   gmsh::initialize(0, nullptr, false);
   try {
     gmsh::option::setNumber("General.Terminal", 0);

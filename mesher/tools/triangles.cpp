@@ -13,6 +13,7 @@
 #include <map>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 
 namespace weaveform {
 namespace {
@@ -70,7 +71,7 @@ struct TriangleSurface::Tree {
 };
 
 TriangleList read_stl(const std::filesystem::path& file) {
-  if (!std::ifstream(file)) throw FileError(file.string() + ": cannot read this file; check its name and rights");
+  require_regular_file(file);
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;
   if (!CGAL::IO::read_STL(file.string(), points, triangles) || triangles.empty())

@@ -4,6 +4,9 @@ set(ROBUST_SOURCES
   robust/exit_codes_test.cpp
   robust/include_direction_test.cpp
   robust/interrupted_test.cpp
+  robust/no_quiet_wrong_answer_test.cpp
   robust/result_folder_test.cpp
+  robust/streams_and_limits_test.cpp
   robust/study_test.cpp
+  robust/without_end_test.cpp
 )

@@ -11,5 +11,6 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/reach_test.cpp
   unit/solver/shell_test.cpp
   unit/solver/team_test.cpp
+  unit/solver/torn_yarns_test.cpp
   unit/solver/yarn_law_test.cpp
 )
