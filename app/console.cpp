@@ -7,16 +7,18 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <string_view>
+
+#include "mesher/base/say.hpp"
 
 namespace weaveform {
 
 namespace {
 
-// The exit code of a failure of ours that no user can mend. Kept apart from the promised codes of ExitCode.
-constexpr int defect_code = 1;
-
-int failed(const std::string& message, ExitCode code) {
-  fmt::print(stderr, "error: {}\n", message);
+// Needs no memory: the error may be that there is none.
+int failed(std::string_view message, ExitCode code) {
+  say_part("error: ");
+  say(message);
   return static_cast<int>(code);
 }
 
@@ -26,11 +28,13 @@ void print_answer(const std::string& text) {
   const bool newline_missing = text.empty() || text.back() != '\n';
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
                        (!newline_missing || std::fputc('\n', stdout) != EOF) && std::fflush(stdout) == 0;
-  if (!written) throw FileError(fmt::format("standard output: {}; make room or write elsewhere", std::strerror(errno)));
+  if (!written)
+    throw FileError(fmt::format("standard output: the answer cannot be written ({}); make room, or write elsewhere",
+                                std::strerror(errno)));
 }
 
 void log_line(const std::string& text) {
-  fmt::print(stderr, "{}\n", text);
+  say(text);
 }
 
 void log_warning(const std::string& text) {
@@ -39,7 +43,7 @@ void log_warning(const std::string& text) {
 
 int report(const std::exception& error) {
   if (const auto* input = dynamic_cast<const InputError*>(&error)) {
-    for (const auto& complaint : input->complaints()) fmt::print(stderr, "error: {}\n", complaint);
+    for (const auto& complaint : input->complaints()) (void)failed(complaint, ExitCode::input);
     return static_cast<int>(ExitCode::input);
   }
   if (dynamic_cast<const PhysicsError*>(&error)) return failed(error.what(), ExitCode::physics);
@@ -48,7 +52,9 @@ int report(const std::exception& error) {
   if (dynamic_cast<const std::filesystem::filesystem_error*>(&error)) return failed(error.what(), ExitCode::files);
   if (dynamic_cast<const std::bad_alloc*>(&error))
     return failed("no memory left; use a greater blank.coarsening or a machine with more memory", ExitCode::files);
-  fmt::print(stderr, "error: a defect in Weaveform ({}); please report it with the scene\n", error.what());
+  say_part("error: a defect in Weaveform (");
+  say_part(error.what());
+  say("); please report it with the scene");
   return defect_code;
 }
 

@@ -8,10 +8,14 @@
 
 namespace weaveform {
 
-// An answer (table, scene, reference). Throws FileError when standard output cannot take it (full disk behind a pipe).
+// The exit code of a failure of ours that no user can mend. Kept apart from the promised codes of ExitCode.
+inline constexpr int defect_code = 1;
+
+// An answer (table, scene, reference). Throws FileError when standard output cannot take it (closed, a full
+// disk, a reader that has gone).
 void print_answer(const std::string& text);
 
-// A line of the log.
+// A line of the log; what cannot be written is lost (mesher/base/say.hpp).
 void log_line(const std::string& text);
 
 // A line of the log that begins with "warning: "; nothing for an empty text.

@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
+#include <sstream>
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/process.hpp"
 #include "app/version.hpp"
 #include "mesher/base/error.hpp"
 
@@ -36,7 +38,12 @@ int run_command(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // --help and --version come this way too, with code 0.
-    if (error.get_exit_code() == 0) return program.exit(error);
+    if (error.get_exit_code() == 0) {
+      std::ostringstream answer;
+      const int code = program.exit(error, answer);
+      weaveform::print_answer(answer.str());
+      return code;
+    }
     throw weaveform::InputError(std::string(error.what()) +
                                 "; 'weaveform --help' and 'weaveform COMMAND --help' tell more");
   }
@@ -46,6 +53,7 @@ int run_command(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  weaveform::prepare_process();
   try {
     return run_command(argc, argv);
   } catch (const std::exception& error) {

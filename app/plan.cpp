@@ -15,8 +15,9 @@ namespace weaveform {
 namespace {
 
 constexpr std::array factors = {8.0, 4.0, 2.0, 1.0, 0.5};  // from coarse to fine: memory only grows
-constexpr int trial_steps = 400;
-constexpr double trial_seconds = 3.0;  // levels that take less are run to their end
+constexpr int trial_steps = 400, least_trial_steps = 4;
+constexpr double trial_cell_steps = 4e7;  // some seconds
+constexpr double trial_seconds = 3.0;     // levels that take less are run to their end
 
 double peak_megabytes() {
   rusage usage{};
@@ -41,8 +42,10 @@ PlanRow measured_row(const Model& model, int threads) {
   for (int e = 0; e < model.mesh.yarn_count(); ++e)
     (model.mesh.yarns.family[e] == Family::warp ? row.warp_length : row.weft_length) +=
         model.mesh.yarns.yarns[e] * model.mesh.yarns.rest_length[e];
+  const long most_steps =
+      std::clamp(static_cast<int>(trial_cell_steps / model.mesh.cells.size()), least_trial_steps, trial_steps);
   const auto trial =
-      solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true, .most_steps = trial_steps});
+      solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true, .most_steps = most_steps});
   const auto& s = trial.statistics;
   row.cells = s.cells;
   row.solved = s.cells_solved;

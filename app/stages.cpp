@@ -2,18 +2,24 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "app/console.hpp"
 #include "app/result_folder.hpp"
+#include "app/room.hpp"
+#include "app/study/measure.hpp"
 #include "app/version.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/mesh_io.hpp"
+#include "mesher/scene/idle.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/symmetry/find_symmetry.hpp"
+#include "mesher/tools/cad.hpp"
+#include "mesher/tools/out_of_reach.hpp"
 #include "post/post.hpp"
 #include "solver/motion/identity.hpp"
 
@@ -21,13 +27,34 @@ namespace weaveform {
 
 namespace fs = std::filesystem;
 
-Model build_model(const fs::path& scene_file, const std::vector<std::string>& overrides) {
+Model build_model(const fs::path& scene_file, const std::vector<std::string>& overrides, bool yes) {
   Model model;
   model.scene = read_scene(scene_file, overrides);
   model.card = load_card(model.scene.fabric.material, model.scene.file);
+  require_memory(model.scene, model.card, yes);
   model.mesh = build_mesh(model.scene, model.card);
   (void)find_symmetry(model.scene, model.card, model.mesh);  // complains of one that is asked for in vain
   return model;
+}
+
+std::vector<std::string> early_warnings(const Model& model) {
+  std::vector<std::string> found = idle_parts(model.scene);
+  const auto& tools = model.scene.tools;
+  // to make triangles of CAD takes long, and the finished run tells as well
+  if (std::any_of(tools.begin(), tools.end(), [](const ToolSpec& tool) { return is_cad_file(tool.file); }))
+    return found;
+  for (std::string& line : tools_out_of_reach(model.scene, model.mesh)) found.push_back(std::move(line));
+  return found;
+}
+
+void log_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& said) {
+  for (const std::string& line : warnings)
+    if (std::find(said.begin(), said.end(), line) == said.end()) log_line("warning: " + line);
+}
+
+void require_room(const Model& model, const fs::path& directory, bool yes) {
+  require_disk(model.scene, model.mesh, directory, yes);
+  require_time(model.scene, model.card, model.mesh, yes);
 }
 
 std::string describe(const Model& model) {
@@ -81,11 +108,12 @@ void go_on_with_model(const Model& model, const fs::path& directory, bool quiet)
   throw InputError(complaints);
 }
 
-void solve_folder(const fs::path& directory, const SolveOptions& options) {
+void solve_folder(const fs::path& directory, const SolveOptions& options, bool yes) {
   const Scene scene = scene_of(directory);
   require_file(directory, "mesh.vtu", "weaveform mesh SCENE --output DIR");
   const Card card = load_card(scene.fabric.material, scene.file);
   const Mesh mesh = read_mesh(directory / "mesh.vtu");
+  if (!yes) require_room({scene, card, mesh}, directory, yes);
   if (!options.quiet) log_line(describe(find_symmetry(scene, card, mesh)));
   SolveOptions how = options;
   how.program = version_line();
@@ -102,9 +130,11 @@ void solve_folder(const fs::path& directory, const SolveOptions& options) {
   solve(mesh, scene, card, directory, how);
 }
 
-std::string post_folder(const fs::path& directory) {
+std::string post_folder(const fs::path& directory, const std::vector<std::string>& said) {
   require_file(directory, "result.pvd", "weaveform solve DIR");
-  return post_process(directory);
+  std::string table = post_process(directory);
+  log_warnings(study::warnings_of(directory), said);
+  return table;
 }
 
 }  // namespace weaveform

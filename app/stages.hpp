@@ -20,8 +20,19 @@ struct Model {
   Mesh mesh;
 };
 
-// Reads the scene with its overrides, its card, and builds the mesh. Throws InputError, FileError.
-[[nodiscard]] Model build_model(const std::filesystem::path& scene_file, const std::vector<std::string>& overrides);
+// Reads the scene with its overrides, its card, and builds the mesh, for which there must be memory unless `yes`
+// (app/room.hpp). Throws InputError, FileError.
+[[nodiscard]] Model build_model(const std::filesystem::path& scene_file, const std::vector<std::string>& overrides,
+                                bool yes = false);
+
+// What the model shows against itself before it is run (mesher/scene/idle.hpp, mesher/tools/out_of_reach.hpp).
+[[nodiscard]] std::vector<std::string> early_warnings(const Model& model);
+
+// "warning: ..." on standard error, also of a quiet command; those in `said` are left out.
+void log_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& said = {});
+
+// Throws InputError when the disk of `directory` or the hours allowed are too few for the run, unless `yes`.
+void require_room(const Model& model, const std::filesystem::path& directory, bool yes);
 
 // One line: how many cells, yarn elements and nodes, and at what spacing; with the coarsening that comes to where the
 // lattice was fitted to the grips.
@@ -42,10 +53,13 @@ void write_model(const Model& model, const std::filesystem::path& directory);
 void go_on_with_model(const Model& model, const std::filesystem::path& directory, bool quiet);
 
 // solve: reads DIR/scene.toml and DIR/mesh.vtu, adds frames, history and statistics. With options.resume, a finished
-// run is left alone, and one that left no checkpoint begins again; both are said. Throws what solve throws.
-void solve_folder(const std::filesystem::path& directory, const SolveOptions& options);
+// run is left alone, and one that left no checkpoint begins again; both are said. Room is asked for as above, unless
+// `yes`. Throws what solve throws.
+void solve_folder(const std::filesystem::path& directory, const SolveOptions& options, bool yes);
 
-// post: adds contours and summary; gives the table to print.
-[[nodiscard]] std::string post_folder(const std::filesystem::path& directory);
+// post: adds contours and summary; gives the table to print. The summary's warnings go to standard error, but for those
+// in `said`.
+[[nodiscard]] std::string post_folder(const std::filesystem::path& directory,
+                                      const std::vector<std::string>& said = {});
 
 }  // namespace weaveform

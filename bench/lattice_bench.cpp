@@ -51,8 +51,8 @@ enum Part { whole_step, forces_only, motion_only };
 void run(benchmark::State& bench, const std::string& formulation, double yarn_angle, Part part) {
   Lattice lattice(static_cast<int>(bench.range(0)), formulation, yarn_angle);
   FabricForces forces(lattice.packed, lattice.card, yarn_laws(lattice.card, lattice.scene.model), lattice.scene.model,
-                      lattice.state, 1);
-  Motion motion(lattice.packed, 1.0, 1);
+                      lattice.state, alone());
+  Motion motion(lattice.packed, 1.0, alone());
   std::vector<Grip> no_grips;
   const std::vector<double> none;
   constexpr double step = 1e-7;  // s; well below the stable step
@@ -79,17 +79,18 @@ void elements(benchmark::State& bench, const std::string& yarn, const std::strin
   const auto position = mesh_positions(lattice.packed, lattice.state);
   const auto stiffest = critical.stiffest(every_strain);
   const double fabric_step = critical(position, stiffest).step;
-  FabricForces forces(lattice.packed, lattice.card, laws, model, lattice.state, 1);
+  FabricForces forces(lattice.packed, lattice.card, laws, model, lattice.state, alone());
   const Flexure flexure = choose_flexure(lattice.card, model);
   std::vector<std::unique_ptr<ForceTerm>> terms;
   if (flexure.bends_yarns || flexure.rotation_free)
-    terms.push_back(std::make_unique<LatticeBending>(lattice.mesh, lattice.packed, flexure, free, lattice.state, 1));
+    terms.push_back(
+        std::make_unique<LatticeBending>(lattice.mesh, lattice.packed, flexure, free, lattice.state, alone()));
   if (flexure.has_shell)
     terms.push_back(std::make_unique<Shell>(lattice.mesh, lattice.packed, lattice.card, flexure, free, lattice.state,
-                                            Shell::Setup{fabric_step, 1.0, 1}));
+                                            Shell::Setup{fabric_step, 1.0, alone()}));
   std::vector<double> further(lattice.mesh.node_count(), 0.0);
   for (const auto& term : terms) term->add_stiffness_bound(position, 0.0, further);
-  Motion motion(lattice.packed, 1.0, 1);
+  Motion motion(lattice.packed, 1.0, alone());
   std::vector<Grip> no_grips;
   const std::vector<double> none;
   constexpr double step = 1e-7;  // s; well below the stable step

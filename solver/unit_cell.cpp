@@ -77,7 +77,7 @@ std::vector<UnitCellPoint> shear_unit_cell(const Card& card, const ModelSpec& mo
   const Mesh mesh = one_cell(card, sides);
   const PackedMesh packed = pack_mesh(mesh);
   State state = initial_state(packed, mesh);
-  FabricForces fabric(packed, card, yarn_laws(card, model), model, state, 1);
+  FabricForces fabric(packed, card, yarn_laws(card, model), model, state, alone());
   std::vector<UnitCellPoint> points;
   points.reserve(static_cast<std::size_t>(motion.increments));
   for (int n = 1; n <= motion.increments; ++n) {

@@ -3,6 +3,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/result_folder.hpp"
 #include "app/stages.hpp"
 #include "mesher/scene/reader.hpp"
 
@@ -13,7 +14,9 @@ void add_check_command(CLI::App& program) {
   const auto arguments = std::make_shared<SceneArguments>();
   add_scene_arguments(*command, *arguments);
   command->callback([arguments] {
-    const Model model = build_model(arguments->scene, arguments->overrides);
+    const Model model = build_model(arguments->scene, arguments->overrides, arguments->yes);
+    require_room(model, default_result_folder(arguments->scene), arguments->yes);
+    log_warnings(early_warnings(model));
     print_answer("# " + describe(model) + "\n" + scene_to_toml(model.scene));
   });
 }

@@ -31,6 +31,7 @@ void add_study_command(CLI::App& program);
 struct SceneArguments {
   std::string scene;                   // file
   std::vector<std::string> overrides;  // "key=value"
+  bool yes = false;                    // to memory, disk and hours beyond the bounds (app/room.hpp)
 };
 
 // Of every command that may read an outline or tool; docs/tools.md says what it lifts.
@@ -38,6 +39,10 @@ inline void add_trust_argument(CLI::App& command) {
   command.add_flag_callback(
       "--trust-geo", [] { trust_geo_scripts(true); },
       "Run Gmsh scripts (.geo) whole, also what is not geometry in them: they may then start programs and write files");
+}
+
+inline void add_yes_argument(CLI::App& command, bool& yes) {
+  command.add_flag("--yes", yes, "Begin although more memory, disk or time is expected to be needed than there is");
 }
 
 inline void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
@@ -50,6 +55,7 @@ inline void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_trust_argument(command);
+  add_yes_argument(command, arguments.yes);
 }
 
 inline void add_output_argument(CLI::App& command, std::string& directory) {
@@ -63,7 +69,7 @@ inline void add_folder_argument(CLI::App& command, std::string& directory) {
 }
 
 inline void add_quiet_argument(CLI::App& command, bool& quiet) {
-  command.add_flag("-q,--quiet", quiet, "Print nothing but errors");
+  command.add_flag("-q,--quiet", quiet, "Print nothing but warnings and errors");
 }
 
 inline void add_force_argument(CLI::App& command, bool& force) {

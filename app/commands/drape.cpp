@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/result_folder.hpp"
+#include "app/room.hpp"
 #include "app/stages.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/build.hpp"
@@ -27,6 +28,7 @@ void make_drape(const DrapeArguments& arguments) {
   const Scene scene = read_scene(arguments.scene.scene, arguments.scene.overrides);
   if (!scene.drape) throw InputError(scene.file + ": no [drape] table; add one with tool = \"NAME\"");
   const Card card = load_card(scene.fabric.material, scene.file);
+  require_memory(scene, card, arguments.scene.yes);
   const Mesh mesh = build_flat_mesh(scene, card);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);

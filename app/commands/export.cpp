@@ -38,11 +38,11 @@ struct ExportArguments {
   std::string format;
   std::string output;
   std::string onto;
-  bool force = false, quiet = false;
+  bool force = false, quiet = false, yes = false;
 };
 
 Model model_of(const ExportArguments& arguments) {
-  if (!fs::is_directory(arguments.from)) return build_model(arguments.from, arguments.overrides);
+  if (!fs::is_directory(arguments.from)) return build_model(arguments.from, arguments.overrides, arguments.yes);
   if (!arguments.overrides.empty())
     throw InputError("--set changes a scene, and a folder's mesh is made; export the scene file instead");
   Model model;
@@ -142,6 +142,7 @@ void add_export_command(CLI::App& program) {
       ->allow_extra_args(false);
   add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
+  add_yes_argument(*command, arguments->yes);
   command->callback([arguments] { run_export(*arguments); });
 }
 

@@ -25,12 +25,13 @@ void make_mesh(const MeshArguments& arguments) {
     print_answer(plan_table(make_plan(arguments.scene.scene, arguments.scene.overrides, arguments.threads)));
     return;
   }
-  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides);
+  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("mesh", model.scene);
   const OutputFolder folder(result_claim(directory, model.scene));
   log_warning(folder.trouble());
+  log_warnings(early_warnings(model));
   write_model(model, directory);
   if (!arguments.quiet) print_answer(describe(model));
 }

@@ -65,20 +65,23 @@ void run_to_accuracy(const RunArguments& arguments) {
 
 void run(const RunArguments& arguments) {
   if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
-  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides);
+  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes);
   const std::filesystem::path directory = folder_of(arguments);
+  if (!arguments.solve.resume) require_room(model, directory, arguments.scene.yes);
   if (!arguments.solve.quiet) {
     log_start("run", model.scene);
     log_line(describe(model));
   }
   const OutputFolder folder(result_claim(directory, model.scene));
   log_warning(folder.trouble());
+  const std::vector<std::string> said = early_warnings(model);
+  log_warnings(said);
   if (arguments.solve.resume)
     go_on_with_model(model, directory, arguments.solve.quiet);
   else
     write_model(model, directory);
-  solve_folder(directory, arguments.solve);
-  const std::string table = post_folder(directory);
+  solve_folder(directory, arguments.solve, true);  // there is room, as asked above
+  const std::string table = post_folder(directory, said);
   if (!arguments.solve.quiet) print_answer(table);
 }
 

@@ -16,6 +16,7 @@ namespace {
 struct SolveArguments {
   std::string directory;
   SolveOptions solve;
+  bool yes = false;
 };
 
 }  // namespace
@@ -25,11 +26,12 @@ void add_solve_command(CLI::App& program) {
   const auto arguments = std::make_shared<SolveArguments>();
   add_folder_argument(*command, arguments->directory);
   add_solve_arguments(*command, arguments->solve);
+  add_yes_argument(*command, arguments->yes);
   command->callback([arguments] {
     if (!arguments->solve.quiet) log_line(fmt::format("{}: solve {}", version_line(), arguments->directory));
     const OutputFolder folder(later_claim(arguments->directory, scene_of(arguments->directory)));
     log_warning(folder.trouble());
-    solve_folder(arguments->directory, arguments->solve);
+    solve_folder(arguments->directory, arguments->solve, arguments->yes || arguments->solve.resume);
   });
 }
 

@@ -127,7 +127,7 @@ std::filesystem::path scene_path(const Study& study) {
 }
 
 Study read_study(const std::filesystem::path& file) {
-  return read_study_text(read_text_file(file), file);
+  return read_study_text(read_text_file(file, most_written_by_hand), file);
 }
 
 Study read_study_text(const std::string& text, const std::filesystem::path& name) {

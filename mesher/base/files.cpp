@@ -136,8 +136,12 @@ void require_regular_file(const fs::path& file) {
   if (access(file.c_str(), R_OK) != 0) throw cannot_read(file, reason_of(errno));
 }
 
-std::string read_text_file(const fs::path& file) {
+std::string read_text_file(const fs::path& file, std::uintmax_t most) {
   require_regular_file(file);
+  std::error_code unknown;
+  if (const std::uintmax_t size = fs::file_size(file, unknown); !unknown && size > most)
+    throw cannot_read(file, fmt::format("it has {:.3g} MB, more than the {:.3g} MB of any such file",
+                                        1e-6 * static_cast<double>(size), 1e-6 * static_cast<double>(most)));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw cannot_read(file, reason_of(errno));

@@ -8,6 +8,7 @@
 // Input comes from regular files only: a pipe or a device may never end.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -44,7 +45,10 @@ void settle_on_disk(const std::filesystem::path& file);
 // Throws FileError unless `file` is a regular file that can be read (a link to one is one).
 void require_regular_file(const std::filesystem::path& file);
 
-// The whole content of a regular file. Throws FileError.
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& file);
+// bytes; of text that is read whole: measurements and meshes of other codes, and what people write by hand.
+inline constexpr std::uintmax_t most_text = 2'000'000'000, most_written_by_hand = 16'000'000;
+
+// The whole content of a regular file of at most `most` bytes. Throws FileError.
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& file, std::uintmax_t most = most_text);
 
 }  // namespace weaveform

@@ -39,12 +39,12 @@ std::string number_limits(const Limits& limits) {
   return words;
 }
 
+// No quantity in any of our units is smaller but for zero, or larger; squares and cubes of these still are numbers.
+constexpr double least_size = 1e-15, greatest_size = 1e18;
+
 bool within(const Limits& limits, double number) {
   return (limits.open ? number > limits.least : number >= limits.least) && number <= limits.greatest;
 }
-
-// Beyond this a number of whatever unit is a slip of the pen, and its square may be infinite soon.
-constexpr double greatest_number = 1e30;
 
 // The finite number of a node, or nothing after a complaint.
 std::optional<double> number_of(const toml::node& node, const KeyRule& rule, const std::string& wanted,
@@ -60,11 +60,11 @@ std::optional<double> number_of(const toml::node& node, const KeyRule& rule, con
   }
   if (!std::isfinite(number)) {
     complaints.add(node, fmt::format("'{}' is {}; it must be a finite number", rule.name, number));
+  } else if (std::abs(number) > greatest_size || (number != 0.0 && std::abs(number) < least_size)) {
+    complaints.add(node, fmt::format("'{}' is {}; its size must be 0, or from {} to {}", rule.name, number, least_size,
+                                     greatest_size));
   } else if (!within(limits_of(rule), number)) {
     complaints.add(node, fmt::format("'{}' is {}; it must be {}", rule.name, number, range_words(rule)));
-  } else if (std::abs(number) > greatest_number) {
-    complaints.add(
-        node, fmt::format("'{}' is {}; no number beyond {:g} has a meaning here", rule.name, number, greatest_number));
   } else {
     return number;
   }

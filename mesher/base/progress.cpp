@@ -4,7 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "mesher/base/say.hpp"
 
 namespace weaveform {
 namespace {
@@ -38,7 +39,7 @@ void Progress::update(double fraction, const std::string& note) {
 void Progress::finish(const std::string& note) {
   if (quiet_) return;
   print(1.0, note);
-  if (terminal_) std::fputc('\n', stderr);
+  if (terminal_) say("");
 }
 
 void Progress::print(double fraction, const std::string& note) {
@@ -48,15 +49,14 @@ void Progress::print(double fraction, const std::string& note) {
   printed_ = Clock::now();
   printed_fraction_ = terminal_ ? fraction : static_cast<int>(fraction * 10.0 + 1e-9) / 10.0;
   if (!terminal_) {
-    fmt::print(stderr, "{} {:3.0f} %  {}  elapsed {}  left {}\n", title_, 100.0 * fraction, note, clock_text(elapsed),
-               left);
+    say(fmt::format("{} {:3.0f} %  {}  elapsed {}  left {}", title_, 100.0 * fraction, note, clock_text(elapsed),
+                    left));
     return;
   }
   constexpr int width = 30;
   const int filled = std::clamp(static_cast<int>(fraction * width), 0, width);
-  fmt::print(stderr, "\r{} [{}{}] {:3.0f} %  {}  left {} \x1b[K", title_, std::string(filled, '#'),
-             std::string(width - filled, '.'), 100.0 * fraction, note, left);
-  std::fflush(stderr);
+  say_part(fmt::format("\r{} [{}{}] {:3.0f} %  {}  left {} \x1b[K", title_, std::string(filled, '#'),
+                       std::string(width - filled, '.'), 100.0 * fraction, note, left));
 }
 
 }  // namespace weaveform

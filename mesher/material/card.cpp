@@ -16,6 +16,15 @@ double section_from_densities(double linear_density, double fibre_volume_fractio
   return linear_density / (fibre_volume_fraction * fibre_density + (1.0 - fibre_volume_fraction) * matrix_density);
 }
 
+double strain_at_stress(const TangentLaw& law, double stress) {
+  double low = 0.0, high = 1.0;  // stress does not fall with strain: cards whose tangent turns negative are refused
+  while (std::nextafter(low, high) < high) {
+    const double middle = 0.5 * (low + high);
+    (law.stress(middle) < stress ? low : high) = middle;
+  }
+  return high;
+}
+
 double log_shear_strain(double shear_angle) {
   return std::atanh(std::sin(shear_angle));
 }

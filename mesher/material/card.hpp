@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct YarnCard {
   double crimp = 0.0;           // 1; (yarn length - fabric length) / fabric length
   TangentLaw tension;           // MPa against true strain, e >= 0 (Table 2)
   double linear_modulus = 0.0;  // MPa; tangent of the last piece: at its end, or where it begins when it has no end
+  // 1; true strain: the tension law is meant to hold up to the one, no yarn bears more than the law gives at the other.
+  double valid_to = std::numeric_limits<double>::infinity(), tearing_strain = valid_to;
   double compression_modulus = 0.0;  // MPa; for e < 0; default 1 % of the linear modulus (ours: the paper gives none)
   TangentLaw compression;            // MPa against |e|, e < 0; no pieces: the compression modulus at every strain
   // Moment of one yarn (N mm) against its curvature (1/mm) as a tangent law in N mm^2, odd in the curvature's sign; in
@@ -66,6 +69,14 @@ struct Card {
 // Eq. 11: A = rho_yarn / (V_f rho_fibre + (1 - V_f) rho_matrix), mm^2, from tonne/mm and tonne/mm^3; no voids assumed.
 [[nodiscard]] double section_from_densities(double linear_density, double fibre_volume_fraction, double fibre_density,
                                             double matrix_density);
+
+// Fibres break at a stress of a few hundredths of their modulus: glass and carbon at 2 to 4 % of elastic strain. Unless
+// a card says otherwise its tension law is meant to hold up to the strain of the first share of the linear modulus, and
+// its yarns are torn at that of the second.
+inline constexpr double valid_share = 0.02, tearing_share = 0.04;
+
+// The least true strain from 0 to 1 at which the law bears `stress` (MPa) or more; 1 when it never does.
+[[nodiscard]] double strain_at_stress(const TangentLaw& law, double stress);
 
 // Logarithmic shear strain at a shear angle (rad): integral of Eq. 6, gamma_L = atanh(sin gamma).
 [[nodiscard]] double log_shear_strain(double shear_angle);

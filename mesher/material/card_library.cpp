@@ -41,7 +41,7 @@ Card load_card(const std::string& name_or_path, const std::filesystem::path& rel
     throw InputError(fmt::format("no built-in card is called '{}' and there is no file {}{}", name_or_path,
                                  file.string(), did_you_mean(name_or_path, builtin_card_names())));
   }
-  return read_card_text(read_text_file(file), file.string());
+  return read_card_text(read_text_file(file, most_written_by_hand), file.string());
 }
 
 }  // namespace weaveform

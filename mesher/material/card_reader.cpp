@@ -20,6 +20,7 @@ constexpr double g_per_cm3_per_tonne_per_mm3 = 1e9;  // 1 g/cm^3 = 1e-6 tonne / 
 constexpr double percent = 100.0;
 constexpr double degree = std::numbers::pi / 180.0;  // rad
 constexpr double compression_share = 0.01;           // of the linear modulus; ours, the paper gives none
+constexpr double greatest_tearing = 0.5;             // 1; where a run ends whatever the card says (reach.hpp)
 constexpr double section_agreement = 0.01;           // relative, between a given section and Eq. 11
 const std::vector<std::string> families = {"warp", "weft"};
 
@@ -101,6 +102,22 @@ TangentLaw flexure_of(const std::vector<TangentPiece>& pieces, const char* key, 
   return law;
 }
 
+// What the card says of how far its yarns can be pulled, or what fibres bear (card.hpp).
+void limit_tension(const YarnFile& file, const YarnTables& tables, const std::string& yarn_name, YarnCard& yarn,
+                   Complaints& complaints) {
+  const auto strain_at = [&](double share) {
+    return std::min(greatest_tearing, strain_at_stress(yarn.tension, share * yarn.linear_modulus));
+  };
+  const double torn = file.tearing_strain.value_or(greatest_tearing);
+  yarn.valid_to = file.valid_to.value_or(std::min(torn, strain_at(valid_share)));
+  yarn.tearing_strain = file.tearing_strain.value_or(std::max(yarn.valid_to, strain_at(tearing_share)));
+  if (yarn.tearing_strain < yarn.valid_to)
+    complaints.add(tables.place("tearing_strain"),
+                   fmt::format("the {} tears at a strain of {}, below {}, to which its tension is meant to hold; raise "
+                               "'tearing_strain' or lower 'valid_to'",
+                               yarn_name, yarn.tearing_strain, yarn.valid_to));
+}
+
 YarnCard yarn_of(const YarnFile& file, const YarnTables& tables, const std::string& yarn_name, Complaints& complaints) {
   YarnCard yarn;
   yarn.linear_density = file.linear_density / tex_per_tonne_per_mm;
@@ -111,6 +128,7 @@ YarnCard yarn_of(const YarnFile& file, const YarnTables& tables, const std::stri
   yarn.tension = TangentLaw(file.tension);
   check_law(yarn.tension, "tension", tables, yarn_name, complaints);
   yarn.linear_modulus = file.linear_modulus.value_or(last_tangent(yarn.tension));
+  limit_tension(file, tables, yarn_name, yarn, complaints);
   yarn.compression_modulus = file.compression_modulus.value_or(compression_share * yarn.linear_modulus);
   if (!file.compression.empty()) {
     yarn.compression = TangentLaw(file.compression);
@@ -227,6 +245,8 @@ YarnFile file_of(const YarnCard& yarn) {
   file.crimp = in_file_unit(yarn.crimp, percent);
   file.tension = yarn.tension.pieces();
   file.linear_modulus = yarn.linear_modulus;
+  file.valid_to = yarn.valid_to;
+  file.tearing_strain = yarn.tearing_strain;
   file.compression = yarn.compression.pieces();
   if (file.compression.empty()) file.compression_modulus = yarn.compression_modulus;
   file.bending_out_of_plane = yarn.bending_out_of_plane.pieces();

@@ -154,6 +154,22 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
                                       .doc =
                                           "of the straightened yarn; auto: tangent of the last piece, at its end or, "
                                           "without one, where it begins"}),
+      key<&YarnFile::valid_to>(
+          {.name = "valid_to",
+           .unit = "1",
+           .limits = above(0, 0.5),
+           .doc =
+               "true strain up to which `tension` is meant to hold; yarns that bear more than it gives there are a "
+               "warning. Auto: where the stress is 2 % of the linear modulus, for glass and carbon break at 2 to 4 % "
+               "of elastic strain (our choice: the paper's Table 2 has no end, and the strains its tests reached are "
+               "not stated). "
+               "`fit` writes what its tests reached"}),
+      key<&YarnFile::tearing_strain>(
+          {.name = "tearing_strain",
+           .unit = "1",
+           .limits = above(0, 0.5),
+           .doc = "true strain at which the yarn is torn; one that bears more than `tension` gives there ends the run. "
+                  "Auto: where the stress is 4 % of the linear modulus, or `valid_to` if that is more"}),
       key<&YarnFile::compression_modulus>({.name = "compression_modulus",
                                            .unit = "MPa",
                                            .limits = at_least(0),

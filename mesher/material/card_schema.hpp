@@ -26,6 +26,7 @@ struct YarnFile {
   double crimp = 0.0;                                                // %
   std::vector<TangentPiece> tension;                                 // MPa
   std::optional<double> linear_modulus;                              // MPa
+  std::optional<double> valid_to, tearing_strain;                    // 1
   std::optional<double> compression_modulus;                         // MPa
   std::vector<TangentPiece> compression;                             // MPa
   std::vector<TangentPiece> bending_in_plane, bending_out_of_plane;  // N mm^2

@@ -20,7 +20,9 @@ std::string outline_file(const Scene& scene) {
   return file.is_absolute() ? file.string() : (std::filesystem::path(scene.file).parent_path() / file).string();
 }
 
-std::vector<OutlineLoop> loops_of(const Scene& scene, std::vector<std::string>& complaints) {
+}  // namespace
+
+std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string>& complaints) {
   const BlankSpec& blank = scene.blank;
   if (blank.shape == "disc") return {ellipse_loop(blank.size)};
   if (blank.shape == "file") {
@@ -41,14 +43,12 @@ std::vector<OutlineLoop> loops_of(const Scene& scene, std::vector<std::string>& 
   return sound_loops({loop}, "blank.corners", complaints);
 }
 
-}  // namespace
-
 lattice::Outline blank_outline(const Scene& scene, const lattice::Turn& yarns, std::vector<std::string>& complaints) {
   const BlankSpec& blank = scene.blank;
   if (blank.shape == "rectangle") return lattice::rectangle_outline(blank.size, yarns);
   if (blank.shape == "cross") return lattice::rectangle_outline({*blank.arm_width, *blank.arm_width}, yarns);
   lattice::Outline outline;
-  for (const auto& loop : loops_of(scene, complaints))
+  for (const auto& loop : blank_loops(scene, complaints))
     for (std::size_t k = 0; k < loop.point.size(); ++k)
       outline.edge.push_back({yarns.back(loop.point[k]), yarns.back(loop.point[(k + 1) % loop.point.size()]), ""});
   return outline;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/lattice/outline.hpp"
+#include "mesher/outline/loops.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {
@@ -15,6 +16,9 @@ namespace weaveform {
 // outline. Throws FileError when blank.outline cannot be read.
 [[nodiscard]] lattice::Outline blank_outline(const Scene& scene, const lattice::Turn& yarns,
                                              std::vector<std::string>& complaints);
+
+// The closed loops of a disc, polygon or file, in the blank's own frame; complaints as above.
+[[nodiscard]] std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string>& complaints);
 
 // mm; extent of the blank along its own axes: blank.size, or that of the given corners or file.
 [[nodiscard]] std::array<double, 2> blank_extent(const Scene& scene);

@@ -56,6 +56,14 @@ bool touch(const Point& a, const Point& b, const Point& c, const Point& d) {
          (d4 == 0.0 && on(c, d, b));
 }
 
+// Where the lines through a, b and c, d meet; of parallel ones the end that lies on the other.
+Point meeting_point(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const double turn = (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0]);
+  if (turn == 0.0) return cross(a, b, c) == 0.0 && between(a[0], b[0], c[0]) && between(a[1], b[1], c[1]) ? c : d;
+  const double t = ((c[0] - a[0]) * (d[1] - c[1]) - (c[1] - a[1]) * (d[0] - c[0])) / turn;
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+}
+
 struct Edge {
   std::size_t loop, corner;
   Point from, to;
@@ -89,10 +97,11 @@ void find_crossings(const std::vector<OutlineLoop>& loops, const std::string& wh
       if (neighbours(edges[i], edges[j], loops) || !touch(edges[i].from, edges[i].to, edges[j].from, edges[j].to))
         continue;
       ++found;
+      const Point at = meeting_point(edges[i].from, edges[i].to, edges[j].from, edges[j].to);
       complaints.push_back(fmt::format(
-          "{}: the edge from {} ({:.6g}, {:.6g}) crosses or touches the one from {} ({:.6g}, {:.6g}); an outline must "
-          "not meet itself",
-          what, place_of(loops[edges[i].loop], edges[i].corner), edges[i].from[0], edges[i].from[1],
+          "{}: the outline meets itself at ({:.6g}, {:.6g}): the edge from {} ({:.6g}, {:.6g}) crosses or touches the "
+          "one from {} ({:.6g}, {:.6g}); put its corners in order around the blank",
+          what, at[0], at[1], place_of(loops[edges[i].loop], edges[i].corner), edges[i].from[0], edges[i].from[1],
           place_of(loops[edges[j].loop], edges[j].corner), edges[j].from[0], edges[j].from[1]));
     }
 }
@@ -173,11 +182,14 @@ std::vector<OutlineLoop> sound_loops(std::vector<OutlineLoop> loops, const std::
     if (loop.point.size() < 3)
       complaints.push_back(
           fmt::format("{}: a loop of {} points has no area; give at least three", what, loop.point.size()));
-    else if (std::abs(signed_area(loop.point)) <= 1e-9 * extent_of(loop) * extent_of(loop))
-      complaints.push_back(what + ": a loop's points lie on one line, it has no area");
   }
   if (complaints.size() > before) return {};
+  // before the area: that of a bow-tie's two halves cancels
   find_crossings(loops, what, complaints);
+  if (complaints.size() > before) return {};
+  for (const auto& loop : loops)
+    if (std::abs(signed_area(loop.point)) <= 1e-9 * extent_of(loop) * extent_of(loop))
+      complaints.push_back(what + ": a loop's points lie on one line, it has no area");
   if (complaints.size() > before) return {};
   for (auto& loop : loops) {
     int depth = 0;

@@ -29,7 +29,7 @@ void complain_unknown_tables(const toml::table& root, Complaints& complaints) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return read_scene_text(read_text_file(file), file.string(), overrides);
+  return read_scene_text(read_text_file(file, most_written_by_hand), file.string(), overrides);
 }
 
 Scene read_scene_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {

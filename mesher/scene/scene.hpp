@@ -132,6 +132,8 @@ struct AnalysisSpec {
   std::array<double, 3> gravity = {0.0, 0.0, 0.0};  // mm/s^2; acceleration of the fabric by its weight
   double perturbation = 0.0;                        // mm; random in-plane displacement of every free node at the start
   int perturbation_seed = 1;
+  double most_hours = 24.0;  // of the solve, as expected before it begins; longer ones need --yes
+  Auto most_memory;          // GB; of the process; auto: what is available
   bool operator==(const AnalysisSpec&) const = default;
 };
 

@@ -23,6 +23,7 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                            .doc = "extent along the blank's own x and y axes; a polygon and a file have their own"}),
     key<&BlankSpec::corners>({.name = "corners",
                               .unit = "mm",
+                              .limits = between(-1e6, 1e6),
                               .doc =
                                   "of a polygon, [x, y] each in the blank's frame, either way around; the last joins "
                                   "the first"}),
@@ -34,11 +35,12 @@ const std::vector<Key<BlankSpec>> blank_keys = {
              "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
     key<&BlankSpec::arm_width>({.name = "arm_width",
                                 .unit = "mm",
-                                .limits = above(0),
+                                .limits = above(0, 1e6),
                                 .doc = "of a cross, which needs it; its yarns run "
                                        "along the arms"}),
     key<&BlankSpec::on_roll>({.name = "on_roll",
                               .unit = "mm",
+                              .limits = between(-1e6, 1e6),
                               .doc = "where the blank's centre lies on the roll, along warp and weft from a crossing; "
                                      "yarns then lie exactly where the roll has them, in this blank and the next"}),
     key<&BlankSpec::yarn_angle>({.name = "yarn_angle",
@@ -65,7 +67,10 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                                   .unit = "deg",
                                   .limits = between(-360, 360),
                                   .doc = "turns the whole blank (outline, yarns, grips, measures) in its plane"}),
-    key<&BlankSpec::position>({.name = "position", .unit = "mm", .doc = "where the blank's centre lies in the world"}),
+    key<&BlankSpec::position>({.name = "position",
+                               .unit = "mm",
+                               .limits = between(-1e6, 1e6),
+                               .doc = "where the blank's centre lies in the world"}),
 };
 
 const std::vector<Key<ModelSpec>> model_keys = {
@@ -113,7 +118,7 @@ const std::vector<Key<ModelSpec>> model_keys = {
     key<&ModelSpec::compression_modulus>(
         {.name = "compression_modulus",
          .unit = "MPa",
-         .limits = at_least(0),
+         .limits = between(0, 1e7),
          .doc = "of the yarns at negative strain, in place of the card's modulus or law (docs/stability.md says how "
                 "low and how high it may be); auto: the card's"}),
     key<&ModelSpec::symmetry>({.name = "symmetry",
@@ -126,20 +131,20 @@ const std::vector<Key<ModelSpec>> model_keys = {
                                    "or false: the whole blank is solved"}),
     key<&ModelSpec::yarn_bending>({.name = "yarn_bending",
                                    .unit = "N mm^2",
-                                   .limits = at_least(0),
+                                   .limits = between(0, 1e9),
                                    .one_for_all = true,
                                    .doc =
                                        "constant flexural stiffness of one yarn, in plane and out of plane, in place "
                                        "of the card's; needs yarn = \"beam\""}),
     key<&ModelSpec::cell_bending>({.name = "cell_bending",
                                    .unit = "N mm",
-                                   .limits = at_least(0),
+                                   .limits = between(0, 1e9),
                                    .doc = "constant bending stiffness per width of the cells along warp and weft, and "
                                           "twist, in place of the card's; needs a cell that bends. When left out: the "
                                           "fabric's rigidity less what beams bear of it"}),
     key<&ModelSpec::transverse_shear>({.name = "transverse_shear",
                                        .unit = "N/mm",
-                                       .limits = above(0),
+                                       .limits = above(0, 1e9),
                                        .doc = "of shell cells, force per width over shear angle; auto: the card's"}),
 };
 
@@ -153,12 +158,15 @@ const std::vector<Key<GripSpec>> grip_keys = {
                           .doc = "the edge of the blank it holds; either this or `box`"}),
     key<&GripSpec::box>({.name = "box",
                          .unit = "mm",
+                         .limits = between(-1e6, 1e6),
                          .doc = "holds every node in xmin, ymin, xmax, ymax, blank frame (its centre is the origin)"}),
     key<&GripSpec::travel>({.name = "travel",
                             .unit = "mm",
+                            .limits = between(-1e6, 1e6),
                             .doc = "way along `direction`, a smooth step over the duration; 0 holds still"}),
     key<&GripSpec::direction>({.name = "direction",
                                .unit = "1",
+                               .limits = between(-1e9, 1e9),
                                .doc = "blank frame, any length but zero; when left out the edge's outward normal, or "
                                       "[0, 1, 0] for a box"}),
     key<&GripSpec::free>({.name = "free",
@@ -177,6 +185,7 @@ const std::vector<Key<ToolSpec>> tool_keys = {
     key<&ToolSpec::position>(
         {.name = "position",
          .unit = "mm",
+         .limits = between(-1e6, 1e6),
          .doc =
              "of the shape's origin: a point of the plane, the centre of the sphere, a point of the cylinder's axis, "
              "the centre of the ring's face, r = z = 0 of the profile, the origin of the STL file. Left out for a "
@@ -184,18 +193,20 @@ const std::vector<Key<ToolSpec>> tool_keys = {
              "first, a plane or ring by its face"}),
     key<&ToolSpec::axis>({.name = "axis",
                           .unit = "1",
+                          .limits = between(-1e9, 1e9),
                           .doc =
                               "outward normal of a plane or of a ring's face; from a sphere's centre into its shank; "
                               "axis of a cylinder or profile; any length but zero. Triangles do not use it"}),
     key<&ToolSpec::radius>(
-        {.name = "radius", .unit = "mm", .limits = above(0), .doc = "of a sphere or cylinder, which need it"}),
+        {.name = "radius", .unit = "mm", .limits = above(0, 1e6), .doc = "of a sphere or cylinder, which need it"}),
     key<&ToolSpec::opening_radius>(
-        {.name = "opening_radius", .unit = "mm", .limits = above(0), .doc = "of a ring, which needs it"}),
+        {.name = "opening_radius", .unit = "mm", .limits = above(0, 1e6), .doc = "of a ring, which needs it"}),
     key<&ToolSpec::fillet_radius>(
-        {.name = "fillet_radius", .unit = "mm", .limits = at_least(0), .doc = "of the rim of a ring's opening"}),
+        {.name = "fillet_radius", .unit = "mm", .limits = between(0, 1e6), .doc = "of the rim of a ring's opening"}),
     key<&ToolSpec::profile>(
         {.name = "profile",
          .unit = "mm",
+         .limits = between(-1e6, 1e6),
          .doc =
              "of a revolved tool: corners in the half-plane (r, z) with the material on the left: [r, z] a line "
              "leads here, [r, z, radius] a rounded corner, [r, z, cr, cz] an arc about (cr, cz) leads here; the first "
@@ -206,7 +217,7 @@ const std::vector<Key<ToolSpec>> tool_keys = {
                 "through Gmsh: STEP, IGES, BREP, .geo (made to face outward, open ones to the blank)"}),
     key<&ToolSpec::chord_tolerance>({.name = "chord_tolerance",
                                      .unit = "mm",
-                                     .limits = above(0),
+                                     .limits = between(1e-4, 1e3),
                                      .doc = "of triangles made from CAD: greatest distance from the true surface"}),
     key<&ToolSpec::unit>(
         {.name = "unit",
@@ -216,41 +227,43 @@ const std::vector<Key<ToolSpec>> tool_keys = {
     key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
     key<&ToolSpec::travel>({.name = "travel",
                             .unit = "mm",
+                            .limits = between(-1e6, 1e6),
                             .doc = "way along `direction` over the duration; 0 stays, or follows `force`"}),
     key<&ToolSpec::direction>(
         {.name = "direction",
          .unit = "1",
+         .limits = between(-1e9, 1e9),
          .doc =
              "of travel, force and of the force recorded in history.csv; any length but zero. Left out: the axis of a "
              "plane or ring (the way it faces), against the axis of a sphere, [0, 0, -1] for the others"}),
     key<&ToolSpec::speed>({.name = "speed",
                            .unit = "1",
-                           .limits = at_least(0),
+                           .limits = between(0, 1e9),
                            .doc =
                                "points [part of the duration, relative speed], joined by straight lines and scaled so "
                                "that the way is `travel`; left out: smooth step"}),
     key<&ToolSpec::force>({.name = "force",
                            .unit = "N",
-                           .limits = at_least(0),
+                           .limits = between(0, 1e9),
                            .doc = "pushes the tool along `direction`, all of it after the first 3 % of the duration; "
                                   "it moves as the fabric lets it, along "
                                   "`direction` only"}),
     key<&ToolSpec::mass>(
         {.name = "mass",
          .unit = "tonne",
-         .limits = above(0),
+         .limits = above(0, 1e6),
          .doc = "of a tool pushed by a force; auto: that of the blank, four times that with `step_bound = "
                 "\"reached\"`, which neither sets the step nor lags behind it"}),
     key<&ToolSpec::damping>(
         {.name = "damping",
          .unit = "1/s",
-         .limits = at_least(0),
+         .limits = between(0, 1e9),
          .doc = "of a tool pushed by a force: viscous force on it over its mass and speed; its work is reported"}),
     key<&ToolSpec::friction>(
         {.name = "friction", .unit = "1", .limits = between(0, 10), .doc = "Coulomb coefficient of tool and fabric"}),
     key<&ToolSpec::offset>({.name = "offset",
                             .unit = "mm",
-                            .limits = at_least(0),
+                            .limits = between(0, 1e6),
                             .doc = "from the fabric's middle plane to its face; auto: half the fabric's thickness"}),
 };
 
@@ -261,40 +274,46 @@ const std::vector<Key<DrapeSpec>> drape_keys = {
                            .doc = "name of the tool it lies on, [tools.NAME], where that stands at the start"}),
     key<&DrapeSpec::anchor>({.name = "anchor",
                              .unit = "mm",
+                             .limits = between(-1e6, 1e6),
                              .doc = "point of the flat blank, blank frame; the crossing nearest to it is laid on the "
                                     "seed"}),
     key<&DrapeSpec::seed>({.name = "seed",
                            .unit = "mm",
+                           .limits = between(-1e6, 1e6),
                            .doc = "point of the tool's surface, world; left out: the anchor, projected on the tool "
                                   "along `projection`"}),
     key<&DrapeSpec::projection>({.name = "projection",
                                  .unit = "1",
+                                 .limits = between(-1e9, 1e9),
                                  .doc =
                                      "way of that projection, any length but zero; the first surface met from outside "
                                      "counts"}),
     key<&DrapeSpec::warp_direction>(
         {.name = "warp_direction",
          .unit = "1",
+         .limits = between(-1e9, 1e9),
          .doc = "of the warp at the seed; its part along the surface counts; left out: as in the flat blank"}),
     key<&DrapeSpec::warp_curve>({.name = "warp_curve",
                                  .unit = "mm",
+                                 .limits = between(-1e6, 1e6),
                                  .doc =
                                      "points [x, y, z] of a line through the seed that the warp yarn follows, in the "
                                      "warp's sense; they are moved to the surface; left out: a geodesic, which also "
                                      "goes on beyond the line's ends"}),
-    key<&DrapeSpec::weft_curve>({.name = "weft_curve", .unit = "mm", .doc = "the same for the weft yarn"}),
+    key<&DrapeSpec::weft_curve>(
+        {.name = "weft_curve", .unit = "mm", .limits = between(-1e6, 1e6), .doc = "the same for the weft yarn"}),
 };
 
 const std::vector<Key<AnalysisSpec>> analysis_keys = {
     key<&AnalysisSpec::duration>(
         {.name = "duration",
          .unit = "s",
-         .limits = above(0),
+         .limits = above(0, 1e9),
          .doc = "time over which the grips travel; auto: from the fabric's slowest shear wave, or, where nothing acts "
                 "but gravity, until the slowest sway has come to rest"}),
     key<&AnalysisSpec::loading_speed>({.name = "loading_speed",
                                        .unit = "mm/s",
-                                       .limits = above(0),
+                                       .limits = above(0, 1e9),
                                        .doc = "greatest speed of any grip; an alternative to `duration`"}),
     key<&AnalysisSpec::yarn_viscosity>(
         {.name = "yarn_viscosity",
@@ -338,42 +357,57 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
     key<&AnalysisSpec::damping>(
         {.name = "damping",
          .unit = "1/s",
-         .limits = at_least(0),
+         .limits = between(0, 1e9),
          .doc = "mass-proportional damping; auto: chosen from the duration; critical for the slowest "
                 "sway where nothing acts but gravity"}),
     key<&AnalysisSpec::energy_limit>({.name = "energy_limit",
                                       .unit = "1",
                                       .limits = above(0, 1),
                                       .doc = "the run fails when the energy-balance error passes this fraction"}),
-    key<&AnalysisSpec::gravity>(
-        {.name = "gravity", .unit = "mm/s2", .doc = "acceleration of the fabric by its weight, world frame"}),
+    key<&AnalysisSpec::gravity>({.name = "gravity",
+                                 .unit = "mm/s2",
+                                 .limits = between(-1e10, 1e10),
+                                 .doc = "acceleration of the fabric by its weight, world frame"}),
     key<&AnalysisSpec::perturbation>({.name = "perturbation",
                                       .unit = "mm",
                                       .limits = between(0, 1000),
                                       .doc = "random in-plane displacement of every free node at the start"}),
     key<&AnalysisSpec::perturbation_seed>(
         {.name = "perturbation_seed", .unit = "1", .limits = at_least(0), .doc = "same seed, same displacements"}),
+    key<&AnalysisSpec::most_hours>(
+        {.name = "most_hours",
+         .unit = "h",
+         .limits = above(0, 1e5),
+         .doc = "a solve that is expected to take longer does not begin, unless `--yes` says so; expected from cells, "
+                "steps and a rate that this program reaches on common machines"}),
+    key<&AnalysisSpec::most_memory>(
+        {.name = "most_memory",
+         .unit = "GB",
+         .limits = above(0, 1e6),
+         .doc = "the same for the memory that mesh and solve are expected to take; auto: what the machine has "
+                "available (and the limits set for the process allow)"}),
 };
 
 const std::vector<Key<FrameSpec>> frame_keys = {
     key<&FrameSpec::length>(
-        {.name = "length", .unit = "mm", .limits = above(0), .doc = "side of the frame between its pins"}),
+        {.name = "length", .unit = "mm", .limits = above(0, 1e6), .doc = "side of the frame between its pins"}),
     key<&FrameSpec::travel>(
         {.name = "travel",
          .unit = "mm",
+         .limits = between(-1e6, 1e6),
          .doc = "of the pulled corner along the frame's diagonal, a smooth step over the duration"}),
     key<&FrameSpec::grip>({.name = "grip", .identifier = true, .doc = "name of the pulled corner in history.csv"}),
     key<&FrameSpec::rigid>({.name = "rigid",
                             .doc =
                                 "members without stretch or mass, so that the travel alone moves the frame; the load "
                                 "is then the generalised force of the travel"}),
-    key<&FrameSpec::section>({.name = "section", .unit = "mm2", .limits = above(0), .doc = "of one member"}),
-    key<&FrameSpec::modulus>({.name = "modulus", .unit = "MPa", .limits = above(0), .doc = "of the members"}),
-    key<&FrameSpec::density>({.name = "density", .unit = "tonne/mm3", .limits = above(0), .doc = "of the members"}),
+    key<&FrameSpec::section>({.name = "section", .unit = "mm2", .limits = above(0, 1e9), .doc = "of one member"}),
+    key<&FrameSpec::modulus>({.name = "modulus", .unit = "MPa", .limits = above(0, 1e9), .doc = "of the members"}),
+    key<&FrameSpec::density>({.name = "density", .unit = "tonne/mm3", .limits = above(0, 1), .doc = "of the members"}),
     key<&FrameSpec::mass_scale>(
         {.name = "mass_scale",
          .unit = "1",
-         .limits = above(0),
+         .limits = above(0, 1e6),
          .doc = "factor on the members' mass: below 1 takes their inertia out of the load, above 1 "
                 "lengthens their stable step; the mass added is in the summary"}),
 };
@@ -405,9 +439,11 @@ const std::vector<Key<MeasureSpec>> measure_keys = {
     key<&MeasureSpec::box>(
         {.name = "box",
          .unit = "mm",
+         .limits = between(-1e6, 1e6),
          .doc = "the cells whose centre lies in xmin, ymin, xmax, ymax, blank frame, before forming"}),
     key<&MeasureSpec::relative_box>({.name = "relative_box",
                                      .unit = "1",
+                                     .limits = between(-1e9, 1e9),
                                      .doc = "the same in units of the blank's width size[0], so that it follows the "
                                             "size; either this or `box`"}),
 };

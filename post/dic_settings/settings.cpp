@@ -131,7 +131,7 @@ void check(const Settings& settings, const toml::table& root, Complaints& compla
 Settings read_settings(const std::string& file, const std::vector<std::string>& overrides) {
   const std::string name = file.empty() ? "settings" : file;
   Complaints complaints(name);
-  toml::table root = file.empty() ? toml::table{} : parse_toml(read_text_file(file), name);
+  toml::table root = file.empty() ? toml::table{} : parse_toml(read_text_file(file, most_written_by_hand), name);
   for (const auto& text : overrides) apply_override(root, text, complaints);
   Settings settings;
   settings.file = file;

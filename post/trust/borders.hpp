@@ -19,5 +19,9 @@ void warn_of_compressed_yarns(const FinishedRun& run, Warnings& warnings);
 void warn_of_energy_error(const FinishedRun& run, Warnings& warnings);
 void warn_of_folded_cells(const FinishedRun& run, Warnings& warnings);
 void warn_of_formulation(const FinishedRun& run, Warnings& warnings);
+void warn_of_idle_scene(const FinishedRun& run, Warnings& warnings);
+void warn_of_idle_tools(const FinishedRun& run, Warnings& warnings);
+void warn_of_stretch_beyond_card(const FinishedRun& run, Warnings& warnings);
+void warn_of_shear_beyond_card(const FinishedRun& run, Warnings& warnings);
 
 }  // namespace weaveform

@@ -14,6 +14,10 @@ std::vector<std::string> warnings(const FinishedRun& run) {
   warn_of_energy_error(run, all);
   warn_of_folded_cells(run, all);
   warn_of_formulation(run, all);
+  warn_of_idle_scene(run, all);
+  warn_of_idle_tools(run, all);
+  warn_of_stretch_beyond_card(run, all);
+  warn_of_shear_beyond_card(run, all);
   return all;
 }
 

@@ -134,6 +134,7 @@ void copy(const std::array<double*, 3>& from, double* (&to)[3]) {
 struct LatticeBending::Parts {
   const Mesh& mesh;
   const PackedMesh& packed;
+  Team& team;
   const State& state;
   Flexure flexure;
   int every;  // steps; forces are that many times as large, each time they act
@@ -148,20 +149,21 @@ struct LatticeBending::Parts {
   std::vector<Ring> ring;
 
   Parts(const Mesh& m, const PackedMesh& p, const Flexure& chosen, const std::vector<char>& held, const State& s,
-        int threads, int steps)
+        Team& its_team, int steps)
       : mesh(m),
         packed(p),
+        team(its_team),
         state(s),
         flexure(chosen),
         every(steps),
         shape(shape_flexure(chosen)),
         kernels(bend_kernels(shape.is_curved, shape.isotropic())),
-        block(balanced_blocks(p, threads)) {
+        block(balanced_blocks(p, its_team.threads())) {
     if (flexure.bends_yarns) bends = find_bends(mesh, held);
     if (flexure.rotation_free && flexure.twist > 0.0) twist_cells = find_twist_cells(mesh);
     place_bends();
     place_twist();
-    for (int t = 0; t < threads; ++t) ring.emplace_back(packed.stride);
+    for (int t = 0; t < team.threads(); ++t) ring.emplace_back(packed.stride);
   }
 
   // In rows: crossings all of whose neighbours are crossings at the regular distance.
@@ -297,17 +299,16 @@ struct LatticeBending::Parts {
 };
 
 LatticeBending::LatticeBending(const Mesh& mesh, const PackedMesh& packed, const Flexure& flexure,
-                               const std::vector<char>& held, const State& state, int threads, int every)
-    : parts_(std::make_unique<Parts>(mesh, packed, flexure, held, state, threads, every)) {}
+                               const std::vector<char>& held, const State& state, Team& team, int every)
+    : parts_(std::make_unique<Parts>(mesh, packed, flexure, held, state, team, every)) {}
 
 LatticeBending::~LatticeBending() = default;
 
 void LatticeBending::add_forces(State& state, double /*step*/) {
   auto& p = *parts_;
   if (state.step % p.every != 0) return;
-  const int blocks = static_cast<int>(p.ring.size());
-#pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
-  for (int b = 0; b < blocks; ++b) p.block_of_rows(state, p.block[b], p.block[b + 1], p.ring[b]);
+  p.team.run(static_cast<int>(p.ring.size()),
+             [&](int b) { p.block_of_rows(state, p.block[b], p.block[b + 1], p.ring[b]); });
   p.add_loose(state);
 }
 

@@ -15,6 +15,7 @@
 #include "solver/bending/bends.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/lattice/packed.hpp"
+#include "solver/lattice/team.hpp"
 #include "solver/motion/force_term.hpp"
 
 namespace weaveform {
@@ -24,7 +25,7 @@ public:
   // `held`: as for find_bends. `state` must outlive the term. `every`: steps (by state.step) from one impulse to the
   // next. Throws InputError when a moment law has more pieces or a higher degree than the inner loop takes.
   LatticeBending(const Mesh& mesh, const PackedMesh& packed, const Flexure& flexure, const std::vector<char>& held,
-                 const State& state, int threads, int every = 1);
+                 const State& state, Team& team, int every = 1);
   ~LatticeBending() override;
   [[nodiscard]] std::string name() const override { return "bending"; }
   void add_forces(State& state, double step) override;

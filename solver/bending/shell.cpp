@@ -95,6 +95,7 @@ std::vector<Vec3> start_normals(const Mesh& mesh) {
 struct Shell::Parts {
   const Mesh& mesh;
   const PackedMesh& packed;
+  Team& team;
   const Card& card;
   const State& state;
   Flexure flexure;
@@ -123,6 +124,7 @@ struct Shell::Parts {
         const Setup& setup)
       : mesh(m),
         packed(p),
+        team(setup.team),
         card(fabric),
         state(s),
         flexure(chosen),
@@ -131,11 +133,11 @@ struct Shell::Parts {
         warp_runs(padded_runs(p.warp_runs)),
         weft_runs(padded_runs(p.weft_runs)),
         cells(flexure.twist > 0.0 ? find_twist_cells(m) : std::vector<TwistCell>{}),
-        block(balanced_blocks(p, setup.threads)) {
+        block(balanced_blocks(p, setup.team.threads())) {
     for (int f = 0; f < 2; ++f) shape_moment(f);
     place_edges();
     place_twist();
-    for (int t = 0; t < setup.threads; ++t)
+    for (int t = 0; t < team.threads(); ++t)
       scratch.push_back({ShellRowBuffers(packed.stride), ShellRowBuffers(packed.stride)});
     for (auto* field : {&director, &velocity, &force})
       for (auto& component : *field) component.assign(packed.nodes, 0.0);
@@ -365,9 +367,8 @@ Shell::~Shell() = default;
 void Shell::add_forces(State& state, double step) {
   auto& p = *parts_;
   if (p.step_before > 0.0) p.drift(p.step_before);
-  const int blocks = static_cast<int>(p.scratch.size());
-#pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
-  for (int b = 0; b < blocks; ++b) p.block_of_rows(state, p.block[b], p.block[b + 1], p.scratch[b]);
+  p.team.run(static_cast<int>(p.scratch.size()),
+             [&](int b) { p.block_of_rows(state, p.block[b], p.block[b + 1], p.scratch[b]); });
   for (auto& component : p.force) std::fill(component.begin() + p.packed.lattice_nodes(), component.end(), 0.0);
   p.add_loose(state);
   p.kick(step);

@@ -9,6 +9,7 @@
 
 #include "solver/bending/flexure.hpp"
 #include "solver/lattice/packed.hpp"
+#include "solver/lattice/team.hpp"
 #include "solver/motion/force_term.hpp"
 
 namespace weaveform {
@@ -18,7 +19,7 @@ public:
   struct Setup {
     double fabric_step = 0.0;  // s; stable step without the shell
     double damping = 0.0;      // 1/s; mass-proportional
-    int threads = 1;
+    Team& team;
   };
   // `clamped`: per mesh node. `state` must outlive the term and hold the start, from which directors are the normals.
   Shell(const Mesh& mesh, const PackedMesh& packed, const Card& card, const Flexure& flexure,

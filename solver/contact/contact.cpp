@@ -78,9 +78,9 @@ ContactTool Contact::Partner::contact_tool() const {
 }
 
 Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
-                 double fabric_step, int threads)
+                 double fabric_step, Team& team)
     : packed_(packed),
-      threads_(threads),
+      team_(team),
       thickness_(mesh.thickness),
       least_spacing_(std::min(mesh.spacing[0], mesh.spacing[1])),
       frequency_(std::sqrt(contact_stiffness_share * stiffness_factor(scene.analysis)) * 2.0 / fabric_step),
@@ -180,9 +180,7 @@ void Contact::add_forces(State& state, double /*step*/) {
   std::vector<double> reaction_before(partners_.size());
   for (std::size_t t = 0; t < partners_.size(); ++t) reaction_before[t] = partners_[t].reaction();
   move_tools(state.time, step);
-  const int blocks = block_count();
-#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
-  for (int b = 0; b < blocks; ++b) treat_block(b, state, step);
+  team_.run(block_count(), [&](int block) { treat_block(block, state, step); });
   for (std::size_t t = 0; t < partners_.size(); ++t) {
     sum_blocks(partners_[t], reaction_before[t]);
     check(partners_[t], state);

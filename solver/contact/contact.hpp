@@ -24,6 +24,7 @@
 #include "solver/contact/tool_motion.hpp"
 #include "solver/contact/tool_reading.hpp"
 #include "solver/lattice/packed.hpp"
+#include "solver/lattice/team.hpp"
 #include "solver/motion/force_term.hpp"
 
 namespace weaveform {
@@ -48,7 +49,7 @@ public:
   // `duration` of the tools' travel (s); `fabric_step` is the stable step of the fabric alone (s). Throws InputError
   // when the fabric starts inside a tool, or a pushed tool is too light for the step.
   Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
-          double fabric_step, int threads);
+          double fabric_step, Team& team);
 
   [[nodiscard]] std::string name() const override { return "contact"; }
   // Moves the tools to state.time first. Throws PhysicsError when a tool moves more than a cell in a step or a node
@@ -116,7 +117,7 @@ private:
   [[nodiscard]] int block_count() const;
 
   const PackedMesh& packed_;
-  int threads_;
+  Team& team_;
   double thickness_;         // mm
   double least_spacing_;     // mm
   double frequency_;         // 1/s; omega of the contact

@@ -83,6 +83,7 @@ ShearLawShape shape_shear_law(const ShearCard& card) {
 
 struct FabricForces::Kernels {
   const PackedMesh& packed;
+  Team& team;
   double thickness;
   std::array<YarnLawShape, 2> yarn_law;
   ShearLawShape shear;
@@ -103,8 +104,9 @@ struct FabricForces::Kernels {
   std::array<Doubles, 3> loose_warp_force, loose_weft_force;
 
   Kernels(const PackedMesh& packed_mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
-          const ModelSpec& model, const State& start, int threads)
+          const ModelSpec& model, const State& start, Team& its_team)
       : packed(packed_mesh),
+        team(its_team),
         thickness(card.thickness),
         yarn_law{shape_yarn_law(yarn_laws[0], "warp"), shape_yarn_law(yarn_laws[1], "weft")},
         shear(shape_shear_law(card.shear)),
@@ -113,7 +115,7 @@ struct FabricForces::Kernels {
         warp_runs(padded_runs(packed_mesh.warp_runs)),
         weft_runs(padded_runs(packed_mesh.weft_runs)),
         cell_runs(has_history ? packed_mesh.cell_runs : padded_runs(packed_mesh.cell_runs)),
-        block(balanced_blocks(packed_mesh, threads)) {
+        block(balanced_blocks(packed_mesh, its_team.threads())) {
     const Section section = model.section == "constant" ? Section::constant : Section::incompressible;
     for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(section, yarn_law[f].is_paper);
     const Thickness kind = model.thickness == "constant" ? Thickness::constant : Thickness::constant_volume;
@@ -126,7 +128,7 @@ struct FabricForces::Kernels {
       cell = cell_kernels(model.formulation == "contravariant" ? Formulation::contravariant : Formulation::energy, kind,
                           shear.is_paper);
     }
-    for (int t = 0; t < threads; ++t) scratch.emplace_back(packed.stride, has_history);
+    for (int t = 0; t < team.threads(); ++t) scratch.emplace_back(packed.stride, has_history);
     for (int c = 0; c < 3; ++c) {
       for (int f = 0; f < 2; ++f) loose_yarn_force[f][c].resize(packed.loose_yarns[f].size());
       loose_warp_force[c].resize(packed.loose_cells.size());
@@ -310,16 +312,15 @@ struct FabricForces::Kernels {
 };
 
 FabricForces::FabricForces(const PackedMesh& packed, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
-                           const ModelSpec& model, const State& start, int threads)
-    : kernels_(std::make_unique<Kernels>(packed, card, yarn_laws, model, start, threads)) {}
+                           const ModelSpec& model, const State& start, Team& team)
+    : kernels_(std::make_unique<Kernels>(packed, card, yarn_laws, model, start, team)) {}
 
 FabricForces::~FabricForces() = default;
 
 void FabricForces::compute(State& state) {
   auto& k = *kernels_;
-  const int blocks = static_cast<int>(k.scratch.size());
-#pragma omp parallel for num_threads(blocks) schedule(static, 1) if (blocks > 1)
-  for (int b = 0; b < blocks; ++b) k.lattice_block(state, k.block[b], k.block[b + 1], k.scratch[b]);
+  k.team.run(static_cast<int>(k.scratch.size()),
+             [&](int b) { k.lattice_block(state, k.block[b], k.block[b + 1], k.scratch[b]); });
   for (int c = 0; c < 3; ++c) std::fill(state.force[c].begin() + k.packed.lattice_nodes(), state.force[c].end(), 0.0);
   for (int f = 0; f < 2; ++f) {
     k.sums[f] = {};

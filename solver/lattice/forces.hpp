@@ -11,6 +11,7 @@
 #include "solver/element/strain_range.hpp"
 #include "solver/lattice/packed.hpp"
 #include "solver/lattice/state.hpp"
+#include "solver/lattice/team.hpp"
 
 namespace weaveform {
 
@@ -20,7 +21,7 @@ public:
   // it is sheared, as in a draped blank, they start with the stress of their angle (element/sheared_start.hpp).
   // Throws InputError when a law of the card has more pieces or a higher degree than the inner loop takes.
   FabricForces(const PackedMesh& packed, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
-               const ModelSpec& model, const State& start, int threads);
+               const ModelSpec& model, const State& start, Team& team);
   ~FabricForces();
   FabricForces(const FabricForces&) = delete;
   FabricForces& operator=(const FabricForces&) = delete;

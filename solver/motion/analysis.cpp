@@ -41,7 +41,7 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       card_(card),
       directory_(std::move(directory)),
       options_(options),
-      threads_(choose_threads(options.threads, mesh_.cells.size())),
+      team_(choose_threads(options.threads, mesh_.cells.size())),
       yarn_laws_(yarn_laws(card, scene.model)),
       packed_(pack_mesh(mesh_)),
       ties_(mesh_.tie.empty() || (scene.frame && scene.frame->rigid) ? nullptr
@@ -49,12 +49,12 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       mirrors_(part != nullptr ? std::make_unique<MirrorPlanes>(mesh_, packed_) : nullptr),
       state_(initial_state(packed_, mesh_)),
       grips_(make_grips(scene, mesh_, packed_)),
-      forces_(packed_, card, yarn_laws_, scene.model, state_, threads_),
+      forces_(packed_, card, yarn_laws_, scene.model, state_, team_),
       critical_step_(mesh_, card, yarn_laws_, scene.model, held_nodes(grips_, mesh_, packed_)),
       internal_energy_(mesh_, card, yarn_laws_, scene.model),
       loading_(choose_loading(scene, card)),
       duration_(loading_.duration),
-      motion_(packed_, loading_.damping, threads_),
+      motion_(packed_, loading_.damping, team_),
       plane_(blank_plane(whole)),
       recorder_(grips_, make_probes(scene, whole_), duration_, scene.output.history),
       row_schedule_(duration_, scene.output.history),
@@ -64,6 +64,7 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
       clock_(scene.output.checkpoint_minutes),
       progress_("solve", options.quiet),
       reach_(scene.analysis.step_bound == "stiffest"),
+      yarn_limits_(yarn_limits(card, scene.model)),
       displacement_(grips_.size(), 0.0),
       displacement_next_(grips_.size(), 0.0),
       grip_force_(grips_.size(), 0.0),
@@ -106,7 +107,7 @@ void Analysis::add_terms() {
   // a shear frame's members turn, so that yarns are not clamped in them
   const auto clamped = scene_.frame ? std::vector<char>(mesh_.node_count(), 0) : held_nodes(grips_, mesh_, packed_);
   if (flexure.bends_yarns || flexure.rotation_free) {
-    auto bending = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, threads_,
+    auto bending = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped, state_, team_,
                                                     scene_.analysis.bending_every);
     bending_ = bending.get();
     terms_.push_back(std::move(bending));
@@ -116,12 +117,12 @@ void Analysis::add_terms() {
       finite_step(critical_step_(mesh_positions(packed_, state_), stiffest).step, duration_, scene_.output);
   if (flexure.has_shell) {
     auto shell = std::make_unique<Shell>(mesh_, packed_, card_, flexure, clamped, state_,
-                                         Shell::Setup{fabric_step, loading_.damping, threads_});
+                                         Shell::Setup{fabric_step, loading_.damping, team_});
     shell_ = shell.get();
     terms_.push_back(std::move(shell));
   }
   if (scene_.tools.empty()) return;
-  auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, threads_);
+  auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, team_);
   contact_ = contact.get();
   terms_.push_back(std::move(contact));
   recorder_.record_tools(scene_.tools);
@@ -263,13 +264,23 @@ void Analysis::move(bool last) {
   step_before_ = step;
 }
 
+// Looked at every so often and before anything is written: no output holds what is not a number, or a torn yarn.
 void Analysis::check_state() {
+  if (checked_step_ == state_.step) return;
+  checked_step_ = state_.step;
+  check_positions();
+  check_yarns();
+}
+
+void Analysis::check_positions() const {
   for (int n = 0; n < mesh_.node_count(); ++n) {
     const int p = packed_.packed_of_mesh[n];
     if (!std::isfinite(state_.position[0][p] + state_.position[1][p] + state_.position[2][p]))
-      fail(fmt::format("the position of node {} is not a number; lower analysis.step_factor (now {})",
-                       mesh_.shown_node(n), scene_.analysis.step_factor));
+      fail(fmt::format("the position of node {} is not a number; {}", mesh_.shown_node(n), what_to_do()));
   }
+}
+
+void Analysis::check_yarns() const {
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     double square = 0.0;
     for (int c = 0; c < 3; ++c) {
@@ -279,14 +290,30 @@ void Analysis::check_state() {
     }
     const double rest = mesh_.yarns.rest_length[e] + mesh_.yarns.jaw[e];
     const double strain = std::log((std::sqrt(square) + mesh_.yarns.jaw[e]) / rest);
+    const bool bears = mesh_.yarns.softening[e] > 0.0;
+    const double tearing = yarn_limits_.tearing[mesh_.yarns.family[e] == Family::warp ? 0 : 1];
     // a perturbed start may stretch yarns by its own size
-    if (strain > torn_strain + std::log1p(2.0 * std::numbers::sqrt2 * scene_.analysis.perturbation / rest))
-      fail(fmt::format(
-          "the {} yarn element between nodes {} and {} is stretched to a true strain of {:.3g}: the analysis is "
-          "unstable (lower analysis.step_factor, now {}) or the scene tears the fabric",
-          mesh_.yarns.family[e] == Family::warp ? "warp" : "weft", mesh_.shown_node(mesh_.yarns.node[e][0]),
-          mesh_.shown_node(mesh_.yarns.node[e][1]), strain, scene_.analysis.step_factor));
+    const double start = std::log1p(2.0 * std::numbers::sqrt2 * scene_.analysis.perturbation / rest);
+    if (strain <= (bears ? tearing : torn_strain) + start) continue;
+    if (strain > torn_strain + start)
+      fail(
+          fmt::format("{} is stretched to a true strain of {:.3g}: the scene tears the fabric, or the analysis is "
+                      "unstable; {}",
+                      yarn_place(mesh_, e), strain, what_to_do()));
+    fail(
+        fmt::format("{} is torn: its true strain is {:.3g}, and it bears what the card's yarns tear at ({:.3g}); pull "
+                    "the fabric less or {}, or give the card its measured tearing_strain",
+                    yarn_place(mesh_, e), strain, tearing, what_to_do()));
   }
+}
+
+// A motion far faster than what the program would choose breaks a fabric by its inertia, whatever the step.
+std::string Analysis::what_to_do() const {
+  const double slow = automatic_duration(scene_, card_);
+  if (scene_.analysis.step_factor <= 1.0 && duration_ < hasty_share * slow)
+    return fmt::format("load it more slowly: the duration is {:.3g} s, and {:.3g} s would be chosen for this scene",
+                       duration_, slow);
+  return fmt::format("lower analysis.step_factor (now {})", scene_.analysis.step_factor);
 }
 
 void Analysis::perturb() {

@@ -25,6 +25,7 @@
 #include "solver/motion/recorder.hpp"
 #include "solver/motion/schedule.hpp"
 #include "solver/motion/ties.hpp"
+#include "solver/motion/torn_yarns.hpp"
 #include "solver/result/history_file.hpp"
 #include "solver/solve.hpp"
 
@@ -50,6 +51,8 @@ private:
   void close_row();
   void move(bool last);
   void check_state();
+  void check_positions() const;
+  void check_yarns() const;
   [[nodiscard]] const std::vector<ToolReading>& tool_readings() const;
   void find_grip_images();
   [[nodiscard]] const std::vector<double>& whole_grip_forces();
@@ -72,6 +75,7 @@ private:
   [[nodiscard]] double wall() const;
   [[nodiscard]] SolveStatistics statistics();
   [[nodiscard]] SolveResult result();
+  [[nodiscard]] std::string what_to_do() const;
   [[noreturn]] void fail(const std::string& what) const;
 
   const Mesh& whole_;
@@ -82,7 +86,7 @@ private:
   const Card& card_;
   std::filesystem::path directory_;
   SolveOptions options_;
-  int threads_;
+  Team team_;
 
   std::array<TangentLaw, 2> yarn_laws_;
   PackedMesh packed_;
@@ -114,6 +118,8 @@ private:
   EnergyBalance balance_;                        // of the whole
   double grip_work_ = 0.0, damping_work_ = 0.0;  // mJ; of what is solved
   Reach reach_;
+  YarnLimits yarn_limits_;
+  long checked_step_ = -1;                           // the last whose state was looked at
   std::array<double, 2> yarn_modulus_ = {0.0, 0.0};  // MPa; that the step is stable with, of each family
   StableStep stable_;
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s

@@ -57,6 +57,7 @@ void Analysis::open_outputs() {
   const bool row_due = row_schedule_.due(time), frame_due = frame_schedule_.due(time);
   for (std::size_t g = 0; g < grips_.size(); ++g) displacement_[g] = grips_[g].travel * smooth_step(time / duration_);
   if (!row_due && !frame_due) return;
+  check_state();
   const auto position = mesh_positions(packed_, state_);
   const auto whole_position = part_ != nullptr ? unfold(*part_, whole_, position) : position;
   // the last row's are what a run ends with
@@ -106,9 +107,9 @@ void Analysis::close_row() {
     if (judged && !(error <= scene_.analysis.energy_limit))
       fail(fmt::format(
           "the energy balance is off by {:.3g} % of the greatest energy (limit {:.3g} %): internal {:.4g}, kinetic "
-          "{:.4g}, damping {:.4g}, external {:.4g} mJ; lower analysis.step_factor (now {})",
+          "{:.4g}, damping {:.4g}, external {:.4g} mJ; {}",
           100.0 * error, 100.0 * scene_.analysis.energy_limit, balance_.internal, balance_.kinetic, balance_.damping,
-          balance_.external, scene_.analysis.step_factor));
+          balance_.external, what_to_do()));
   }
 }
 
@@ -162,7 +163,7 @@ SolveStatistics Analysis::statistics() {
   for (const double strain : fields_.yarn_strain) s.max_yarn_strain = std::max(s.max_yarn_strain, strain);
   s.folded_cells = folded_;
   s.folded_cells_at_end = static_cast<int>(std::count(fields_.folded.begin(), fields_.folded.end(), true));
-  s.threads = threads_;
+  s.threads = team_.threads();
   if (contact_ != nullptr) {
     const Contact::Cost cost = contact_->cost();
     s.contact_penetration = cost.penetration;

@@ -41,6 +41,13 @@ double slowest_sway(const Scene& scene, const Card& card, double length) {
 
 }  // namespace
 
+double automatic_duration(const Scene& scene, const Card& card) {
+  Scene free = scene;
+  free.analysis.duration.reset();
+  free.analysis.loading_speed.reset();
+  return choose_loading(free, card).duration;
+}
+
 Loading choose_loading(const Scene& scene, const Card& card) {
   const auto extent = blank_extent(scene);
   const double length = std::max(extent[0], extent[1]);

@@ -30,6 +30,13 @@ struct Loading {
   double damping = 0.0;        // 1/s; mass-proportional
 };
 
+// A duration below this share of the automatic one is the first to blame when an analysis breaks down: inertia forces
+// go with the square of the speed, 25 times those of the automatic one.
+inline constexpr double hasty_share = 0.2;
+
+// s; the duration of choose_loading when the scene names neither duration nor speed.
+[[nodiscard]] double automatic_duration(const Scene& scene, const Card& card);
+
 [[nodiscard]] Loading choose_loading(const Scene& scene, const Card& card);
 
 }  // namespace weaveform

@@ -4,12 +4,8 @@
 
 namespace weaveform {
 
-Motion::Motion(const PackedMesh& packed, double damping, int threads)
-    : packed_(packed),
-      damping_(damping),
-      threads_(threads),
-      inverse_mass_(packed.nodes, 0.0),
-      mass_(packed.nodes, 0.0) {
+Motion::Motion(const PackedMesh& packed, double damping, Team& team)
+    : packed_(packed), damping_(damping), team_(team), inverse_mass_(packed.nodes, 0.0), mass_(packed.nodes, 0.0) {
   for (const int n : packed.packed_of_mesh) {
     mass_[n] = packed.mass[n];
     inverse_mass_[n] = packed.mass[n] > 0.0 ? 1.0 / packed.mass[n] : 0.0;  // tied nodes have none
@@ -30,14 +26,12 @@ const Motion::Outcome& Motion::advance(State& state, std::vector<Grip>& grips, c
   for (auto& grip : grips) remember_velocities(grip, state);
 
   // One sum per range and lane, added in order below: the same bits for any number of threads.
-  const int ranges = static_cast<int>(range_.size());
-#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
-  for (int r = 0; r < ranges; ++r) {
+  team_.run(static_cast<int>(range_.size()), [&](int r) {
     sums_[r].fill(0.0);
     for (int c = 0; c < 3; ++c)
       weaveform::advance(inverse_mass_.data(), mass_.data(), state.force[c].data(), state.velocity[c].data(),
                          state.position[c].data(), keep, kick, step, range_[r].begin, range_[r].end, sums_[r].data());
-  }
+  });
   double sum = 0.0;
   for (const auto& range_sums : sums_)
     for (const double lane : range_sums) sum += lane;

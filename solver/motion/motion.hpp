@@ -7,13 +7,14 @@
 
 #include "solver/lattice/packed.hpp"
 #include "solver/lattice/state.hpp"
+#include "solver/lattice/team.hpp"
 #include "solver/motion/grips.hpp"
 
 namespace weaveform {
 
 class Motion {
 public:
-  Motion(const PackedMesh& packed, double damping, int threads);
+  Motion(const PackedMesh& packed, double damping, Team& team);
 
   struct Outcome {
     double kinetic = 0.0;            // mJ; at the time of the forces, v0 = (v- + v+)/2
@@ -28,7 +29,7 @@ public:
 private:
   const PackedMesh& packed_;
   double damping_;
-  int threads_;
+  Team& team_;
   Doubles inverse_mass_;                     // 1/tonne; 0 where no node is
   Doubles mass_;                             // tonne; 0 where no node is
   std::vector<Run> range_;                   // packed index ranges that hold all nodes

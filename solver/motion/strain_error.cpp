@@ -7,9 +7,6 @@
 #include "solver/motion/reach.hpp"
 
 namespace weaveform {
-namespace {
-
-// MPa; N/A0.
 double nominal_stress(const TangentLaw& law, double strain, bool constant_section) {
   return law.stress(strain) * (constant_section ? 1.0 : std::exp(-strain));
 }
@@ -23,8 +20,6 @@ double strain_under(const TangentLaw& law, double nominal, bool constant_section
   }
   return 0.5 * (low + high);
 }
-
-}  // namespace
 
 double yarn_strain_error(const Mesh& mesh, const Card& card, const ModelSpec& model,
                          const std::vector<double>& strain) {

@@ -1,13 +1,11 @@
 #include "solver/result/chart_file.hpp"
 
-#include <fmt/core.h>
-
-#include <cstdio>
 #include <functional>
 #include <mutex>
 
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/base/say.hpp"
 
 namespace weaveform {
 namespace {
@@ -17,7 +15,7 @@ namespace fs = std::filesystem;
 // Even of a quiet run: files that were asked for are missing.
 void say_once(const std::string& reason) {
   static std::once_flag said;
-  std::call_once(said, [&] { fmt::print(stderr, "warning: {}; the charts are left out\n", reason); });
+  std::call_once(said, [&] { say("warning: " + reason + "; the charts are left out"); });
 }
 
 void write_drawing(const fs::path& file, const std::function<std::string()>& draw) {

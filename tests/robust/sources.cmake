@@ -11,6 +11,9 @@ set(ROBUST_SOURCES
   robust/nobody_let_in_test.cpp
   robust/killed_run_test.cpp
   robust/kept_files_test.cpp
+  robust/no_quiet_wrong_answer_test.cpp
   robust/result_folder_test.cpp
+  robust/streams_and_limits_test.cpp
   robust/study_test.cpp
+  robust/without_end_test.cpp
 )

@@ -58,7 +58,8 @@ struct FabricPatch {
 
   // Internal force on every mesh node, N.
   [[nodiscard]] std::vector<Eigen::Vector3d> forces(int threads = 1) {
-    FabricForces fabric(packed, card, laws, scene.model, initial_state(packed, mesh), threads);
+    Team team(threads);
+    FabricForces fabric(packed, card, laws, scene.model, initial_state(packed, mesh), team);
     fabric.compute(state);
     std::vector<Eigen::Vector3d> result;
     for (const int n : packed.packed_of_mesh)

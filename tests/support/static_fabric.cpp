@@ -45,11 +45,12 @@ StaticFabric::StaticFabric(Mesh mesh, const Card& card, const ModelSpec& model, 
       clamped_(std::move(clamped)),
       turns_(mesh_.node_count(), 0),
       held_(mesh_.node_count(), {0, 0, 0}) {
-  forces_ = std::make_unique<FabricForces>(packed_, card_, yarn_laws(card_, model_), model_, state_, 1);
+  forces_ = std::make_unique<FabricForces>(packed_, card_, yarn_laws(card_, model_), model_, state_, alone());
   if (flexure.bends_yarns || flexure.rotation_free)
-    bending_ = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped_, state_, 1);
+    bending_ = std::make_unique<LatticeBending>(mesh_, packed_, flexure, clamped_, state_, alone());
   if (flexure.has_shell) {
-    shell_ = std::make_unique<Shell>(mesh_, packed_, card_, flexure, clamped_, state_, Shell::Setup{1e-6, 0.0, 1});
+    shell_ =
+        std::make_unique<Shell>(mesh_, packed_, card_, flexure, clamped_, state_, Shell::Setup{1e-6, 0.0, alone()});
     for (const auto& edge : find_shell_edges(mesh_, card_, flexure.transverse_shear))
       for (const int n : edge.node) turns_[n] = clamped_[n] == 0 ? 1 : 0;
   }
@@ -215,7 +216,7 @@ double StaticFabric::relax(const Load& load) {
 void StaticFabric::soften_yarns(double factor) {
   ModelSpec model = model_;
   model.yarn_stiffness_scale *= factor;
-  forces_ = std::make_unique<FabricForces>(packed_, card_, yarn_laws(card_, model), model, state_, 1);
+  forces_ = std::make_unique<FabricForces>(packed_, card_, yarn_laws(card_, model), model, state_, alone());
 }
 
 // Until a step moves nothing by more than `at_rest` spacings (radians).

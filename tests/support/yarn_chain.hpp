@@ -49,7 +49,7 @@ inline double element_force(const Card& card, const ModelSpec& model, const std:
   const PackedMesh packed = pack_mesh(mesh);
   State state = initial_state(packed, mesh);
   state.position[0][packed.packed_of_mesh[1]] = length * std::exp(strain);
-  FabricForces forces(packed, card, laws, model, state, 1);
+  FabricForces forces(packed, card, laws, model, state, alone());
   forces.compute(state);
   return -state.force[0][packed.packed_of_mesh[1]];
 }
@@ -63,11 +63,11 @@ public:
         packed_(pack_mesh(mesh_)),
         state_(initial_state(packed_, mesh_)),
         laws_(yarn_laws(card, model)),
-        forces_(packed_, card, laws_, model, state_, 1),
-        elastic_(packed_, card, laws_, model, state_, 1),
+        forces_(packed_, card, laws_, model, state_, alone()),
+        elastic_(packed_, card, laws_, model, state_, alone()),
         energy_(mesh_, card, laws_, model),
         critical_(mesh_, card, laws_, model, held()),
-        motion_(packed_, 0.0, 1),
+        motion_(packed_, 0.0, alone()),
         viscosity_(viscosity),
         factor_(step_factor) {
     for (int n = 0; n < mesh_.node_count(); ++n)

@@ -91,14 +91,14 @@ TEST_P(ShearedHistory, StartsWithTheStressOfItsAngle) {
     };
   };
   walked.move(trellis(0.0));
-  FabricForces from_flat(walked.packed, walked.card, walked.laws, walked.scene.model, walked.state, 1);
+  FabricForces from_flat(walked.packed, walked.card, walked.laws, walked.scene.model, walked.state, alone());
   constexpr int steps = 2000;
   for (int n = 1; n <= steps; ++n) {
     walked.move(trellis(full * n / steps));
     from_flat.compute(walked.state);
   }
   State there = walked.state;
-  FabricForces sheared(walked.packed, walked.card, walked.laws, walked.scene.model, there, 1);
+  FabricForces sheared(walked.packed, walked.card, walked.laws, walked.scene.model, there, alone());
   const double start_work = sheared.cell_work();
   sheared.compute(there);
   double greatest = 0.0, off = 0.0;

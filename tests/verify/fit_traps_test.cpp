@@ -33,6 +33,19 @@ double fitted_modulus(const test::FitFolder& folder, const std::string& more = "
   return folder.identify(yarn_fit + more).card.yarn[0].linear_modulus;
 }
 
+TEST(FitTraps, TheCardHoldsAsFarAsItsTestsWent) {
+  const test::FitFolder folder;
+  Rows rows = yarn_rows();
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  const auto whole = folder.identify(yarn_fit);
+  const YarnCard& yarn = whole.card.yarn[0];
+  EXPECT_NEAR(yarn.tension.stress(yarn.valid_to), whole.yarns[0].greatest_stress(), 1e-4 * modulus);
+  rows.x.resize(rows.x.size() / 2);
+  rows.y.resize(rows.x.size());
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  EXPECT_LT(folder.identify(yarn_fit).card.yarn[0].valid_to, yarn.valid_to);
+}
+
 TEST(FitTraps, UnsortedRowsAreSorted) {
   const test::FitFolder folder;
   Rows rows = yarn_rows();

@@ -30,12 +30,13 @@ public:
     const auto stiffest = critical.stiffest(every_strain);
     const auto position = [&] { return mesh_positions(patch_.packed, patch_.state); };
     const Flexure flexure = choose_flexure(patch_.card, scene_.model);
-    fabric_ = std::make_unique<FabricForces>(patch_.packed, patch_.card, laws_, scene_.model, patch_.state, 1);
+    fabric_ = std::make_unique<FabricForces>(patch_.packed, patch_.card, laws_, scene_.model, patch_.state, alone());
     if (flexure.bends_yarns || flexure.rotation_free)
-      term_.push_back(std::make_unique<LatticeBending>(patch_.mesh, patch_.packed, flexure, free, patch_.state, 1));
+      term_.push_back(
+          std::make_unique<LatticeBending>(patch_.mesh, patch_.packed, flexure, free, patch_.state, alone()));
     if (flexure.has_shell)
       term_.push_back(std::make_unique<Shell>(patch_.mesh, patch_.packed, patch_.card, flexure, free, patch_.state,
-                                              Shell::Setup{critical(position(), stiffest).step, 0.0, 1}));
+                                              Shell::Setup{critical(position(), stiffest).step, 0.0, alone()}));
     std::vector<double> further(patch_.mesh.node_count(), 0.0);
     for (const auto& term : term_) term->add_stiffness_bound(position(), 0.0, further);
     const double stable = critical(position(), stiffest, further).step;

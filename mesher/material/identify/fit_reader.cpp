@@ -45,7 +45,8 @@ void read_yarn_table(const toml::table& table, const std::string& title, YarnFil
   if (has("section")) yarn.fibre_volume_fraction = yarn.fibre_density = yarn.matrix_density = std::nullopt;
   if (has("compression")) yarn.compression_modulus.reset();
   if (has("compression_modulus")) yarn.compression.clear();
-  if (has("tension")) yarn.linear_modulus = yarn.compression_modulus = std::nullopt;
+  if (has("tension"))
+    yarn.linear_modulus = yarn.compression_modulus = yarn.valid_to = yarn.tearing_strain = std::nullopt;
   read_keys(table, title, yarn_keys(), yarn, complaints, title == "[yarn]" ? families : std::vector<std::string>{});
 }
 
@@ -188,7 +189,7 @@ void check_sources(const toml::table& root, const FitSpec& spec, Complaints& com
 }  // namespace
 
 FitSpec read_fit(const std::filesystem::path& file) {
-  return read_fit_text(read_text_file(file), file.string());
+  return read_fit_text(read_text_file(file, most_written_by_hand), file.string());
 }
 
 FitSpec read_fit_text(const std::string& text, const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,6 +17,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;  // rad
 constexpr double percent = 0.01;
 constexpr std::array families = {"warp", "weft"};
+constexpr double greatest_strain = 0.5;   // 1; that a card may claim
 constexpr double suspicious_ratio = 3.0;  // between a fitted modulus and the base card's
 
 // A number of a card with seven significant digits: far finer than any test, and legible.
@@ -63,6 +65,9 @@ YarnFile fitted_yarn(const YarnFile& before, const YarnFit& fit) {
   yarn.compression_modulus =
       had_share ? std::optional(legible(*before.compression_modulus / *before.linear_modulus * modulus)) : std::nullopt;
   yarn.linear_modulus = modulus;
+  // the stress that the tests reached; beyond, nothing was measured
+  yarn.valid_to = legible(std::min(greatest_strain, strain_at_stress(TangentLaw(yarn.tension), fit.greatest_stress())));
+  if (yarn.tearing_strain && *yarn.tearing_strain < *yarn.valid_to) yarn.tearing_strain = std::nullopt;
   return yarn;
 }
 

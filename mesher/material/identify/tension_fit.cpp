@@ -176,6 +176,13 @@ std::array<double, 2> elastic_part(const std::vector<double>& strain, const std:
                   specimen));
 }
 
+double YarnFit::greatest_stress() const {
+  double greatest = 0.0;
+  for (const auto& yarn : specimens)
+    for (const double stress : yarn.stress) greatest = std::max(greatest, stress);
+  return greatest;
+}
+
 YarnFit fit_yarn(const TestSpec& test, const std::filesystem::path& fit_file, double section, double confidence) {
   const bool machine = !test.displacement_column.empty();
   const Channel x = machine ? displacement_channel(test)

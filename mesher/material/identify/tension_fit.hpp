@@ -34,6 +34,7 @@ struct YarnFit {
   double deviation = 0.0;                   // MPa; standard deviation between them, 0 for one
   std::array<double, 2> band = {0.0, 0.0};  // MPa; confidence interval of the mean modulus
   std::vector<std::string> warnings;
+  [[nodiscard]] double greatest_stress() const;  // MPa; that any specimen bore
 };
 
 // Specimens are the independent units: the interval is Student's t over their moduli. One specimen alone has only its

@@ -165,6 +165,28 @@ TEST(Card, CompressionOfAFamilyReplacesTheCommonOne) {
   EXPECT_EQ(modulus.yarn[1].compression_modulus, 7.0);
 }
 
+// Fibres break at 2 to 4 % of elastic strain: of stress over the modulus of the straight yarn.
+TEST(Card, TensionIsLimitedByWhatFibresBearUnlessTheCardSaysIt) {
+  const YarnCard yarn = read_card_text(card_text(), "c.toml").yarn[0];
+  EXPECT_NEAR(yarn.tension.stress(yarn.valid_to), 0.02 * 8000, 1e-9);
+  EXPECT_NEAR(yarn.tension.stress(yarn.tearing_strain), 0.04 * 8000, 1e-9);
+  const auto given = [](const std::string& lines) {
+    return read_card_text(card_text("[shear]", lines + "\n[shear]"), "c.toml").yarn[1];
+  };
+  EXPECT_EQ(given("valid_to = 0.01").valid_to, 0.01);
+  EXPECT_EQ(given("valid_to = 0.01").tearing_strain, yarn.tearing_strain);
+  EXPECT_EQ(given("valid_to = 0.2").tearing_strain, 0.2) << "a yarn is not torn where its law is meant to hold";
+  EXPECT_EQ(given("tearing_strain = 0.01").valid_to, 0.01);
+  const Card card = read_card_text(card_text("[shear]", "valid_to = 0.013\n[shear]"), "c.toml");
+  EXPECT_EQ(read_card_text(card_to_toml(card), "again"), card);
+}
+
+TEST(CardComplaint, AYarnThatTearsWithinItsLawIsRefused) {
+  EXPECT_EQ(complaint_of("[shear]", "valid_to = 0.03\ntearing_strain = 0.02\n[shear]"),
+            "c.toml:9:18: the yarn tears at a strain of 0.02, below 0.03, to which its tension is meant to hold; raise "
+            "'tearing_strain' or lower 'valid_to'");
+}
+
 TEST(CardComplaint, CompressionIsSaidOnceAndDoesNotSoften) {
   EXPECT_EQ(complaint_of("interval = 4.92", "interval = 4.92\ncompression_modulus = 7\n" + compression),
             "c.toml:8:15: the yarn has both 'compression_modulus' and 'compression'; keep one");

@@ -51,7 +51,8 @@ struct CrumpledPatch {
   }
 
   [[nodiscard]] std::vector<Vector3d> forces(const Flexure& law, int threads = 1) {
-    LatticeBending bending(patch.mesh, patch.packed, law, held, patch.state, threads);
+    Team team(threads);
+    LatticeBending bending(patch.mesh, patch.packed, law, held, patch.state, team);
     for (auto& component : patch.state.force) std::fill(component.begin(), component.end(), 0.0);
     bending.add_forces(patch.state, 0.0);
     std::vector<Vector3d> result;
@@ -78,7 +79,7 @@ TEST_P(BendingOf, ForceIsMinusTheGradientOfTheStoredEnergy) {
   auto& patch = crumpled.patch;
   const Flexure chosen = law(kind);
   const auto force = crumpled.forces(chosen);
-  LatticeBending bending(patch.mesh, patch.packed, chosen, crumpled.held, patch.state, 1);
+  LatticeBending bending(patch.mesh, patch.packed, chosen, crumpled.held, patch.state, alone());
   double greatest = 0.0;
   for (const auto& f : force) greatest = std::max(greatest, f.norm());
   ASSERT_GT(greatest, 0.1);
@@ -133,7 +134,7 @@ TEST_P(BendingOf, TrellisShearAndRigidMotionGiveNoForce) {
       return Vector3d(turn * (x.dot(g[0]) * g[0] + x.dot(g[1]) * to) + Vector3d(3, 4, 5));
     });
     const std::vector<char> free(patch.mesh.node_count(), 0);
-    LatticeBending bending(patch.mesh, patch.packed, law(kind), free, patch.state, 1);
+    LatticeBending bending(patch.mesh, patch.packed, law(kind), free, patch.state, alone());
     bending.add_forces(patch.state, 0.0);
     // rounding: 1e-16 of 50 mm over 2 mm elements, times B/l^2 = 30/4
     for (const int n : patch.packed.packed_of_mesh)

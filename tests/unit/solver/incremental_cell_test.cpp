@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(All, IncrementalPatch,
 TEST_P(IncrementalPatch, HomogeneousMotionLeavesTheInsideInBalance) {
   const auto [formulation, thickness, yarn_angle] = GetParam();
   FabricPatch patch("twintex-tw", yarn_angle, {40.0, 50.0}, formulation, thickness);
-  FabricForces fabric(patch.packed, patch.card, patch.laws, patch.scene.model, patch.state, 1);
+  FabricForces fabric(patch.packed, patch.card, patch.laws, patch.scene.model, patch.state, alone());
   const auto yarns = patch.yarn_directions();
   const Vector3d warp = yarns[0], weft = yarns[1];
   for (int n = 1; n <= 40; ++n) {
@@ -244,7 +244,7 @@ TEST_P(IncrementalPatch, HomogeneousMotionLeavesTheInsideInBalance) {
   EXPECT_NEAR(cells, 40.0 * 50.0, 1e-9 * cells);
   const double work_density = fabric.cell_work() / (cells * patch.card.thickness);
   FabricPatch other("twintex-tw", yarn_angle, {90.0, 30.0}, formulation, thickness);
-  FabricForces other_fabric(other.packed, other.card, other.laws, other.scene.model, other.state, 1);
+  FabricForces other_fabric(other.packed, other.card, other.laws, other.scene.model, other.state, alone());
   for (int n = 1; n <= 40; ++n) {
     const double gamma = n * degree;
     const Vector3d g1 = std::cos(0.5 * gamma) * warp + std::sin(0.5 * gamma) * weft;

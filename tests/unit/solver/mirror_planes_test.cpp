@@ -45,7 +45,7 @@ struct Moved {
     ties = std::make_unique<Ties>(mesh, packed);
     if (!mesh.symmetry.plane.empty()) mirrors = std::make_unique<MirrorPlanes>(mesh, packed);
     state = initial_state(packed, mesh);
-    FabricForces fabric(packed, card, yarn_laws(card, scene.model), scene.model, state, 1);
+    FabricForces fabric(packed, card, yarn_laws(card, scene.model), scene.model, state, alone());
     for (int n = 0; n < mesh.node_count(); ++n) {
       const Vec3 x = shaped(mesh.nodes.position[n]);
       for (int c = 0; c < 3; ++c) state.position[c][packed.packed_of_mesh[n]] = x[c];
@@ -57,7 +57,7 @@ struct Moved {
     const Flexure flexure = choose_flexure(card, scene.model);
     if (flexure.bends_yarns || flexure.rotation_free) {
       const std::vector<char> held(mesh.node_count(), 0);
-      bending = std::make_unique<LatticeBending>(mesh, packed, flexure, held, state, 1);
+      bending = std::make_unique<LatticeBending>(mesh, packed, flexure, held, state, alone());
       bending->add_forces(state, 0.0);
       bound.assign(mesh.node_count(), 0.0);
       bending->add_stiffness_bound(mesh_positions(packed, state), 0.0, bound);

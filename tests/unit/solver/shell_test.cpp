@@ -36,10 +36,10 @@ struct ShellPatch {
     for (const int n : patch.packed.packed_of_mesh)
       for (int c = 0; c < 3; ++c) patch.state.position[c][n] += draw(generator);
   }
-  [[nodiscard]] std::unique_ptr<Shell> shell(const Flexure& flexure, int threads = 1, double damping = 0.0) {
+  [[nodiscard]] std::unique_ptr<Shell> shell(const Flexure& flexure, Team& team = alone(), double damping = 0.0) {
     return std::make_unique<Shell>(patch.mesh, patch.packed, patch.card, flexure,
                                    std::vector<char>(patch.mesh.node_count(), 0), patch.state,
-                                   Shell::Setup{1e-6, damping, threads});
+                                   Shell::Setup{1e-6, damping, team});
   }
   std::vector<Vec3> crumpled_directors() {
     std::normal_distribution<double> draw(0.0, 0.25);
@@ -106,7 +106,8 @@ TEST_P(ShellOf, ForcesBalanceAndAnyNumberOfThreadsGivesTheSameBits) {
   const auto [angle, curved] = GetParam();
   ShellPatch p(angle, 0.3);
   const auto directors = p.crumpled_directors();
-  const auto one = p.shell(shell_flexure(curved), 1), three = p.shell(shell_flexure(curved), 3);
+  Team team(3);
+  const auto one = p.shell(shell_flexure(curved)), three = p.shell(shell_flexure(curved), team);
   one->set_directors(directors);
   three->set_directors(directors);
   const auto force = p.add_forces(*one), again = p.add_forces(*three);

@@ -10,5 +10,7 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/mirror_planes_test.cpp
   unit/solver/reach_test.cpp
   unit/solver/shell_test.cpp
+  unit/solver/team_test.cpp
+  unit/solver/torn_yarns_test.cpp
   unit/solver/yarn_law_test.cpp
 )

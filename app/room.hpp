@@ -1,0 +1,25 @@
+// Whether there is room for what a scene asks: memory and disk before anything large is made, time before the solve.
+//
+// What is expected was measured on common machines and is meant to tell hours from years and megabytes from terabytes,
+// not to plan by ('weaveform mesh --plan' measures on the machine it runs on).
+#pragma once
+
+#include <filesystem>
+
+#include "mesher/material/card.hpp"
+#include "mesher/mesh/mesh.hpp"
+#include "mesher/scene/scene.hpp"
+
+namespace weaveform {
+
+// Throws InputError, with the numbers and the likely cause, when mesh and solve would take more memory than there is
+// (analysis.most_memory, or what the machine has available); with `yes` only when no machine could hold the mesh.
+void require_memory(const Scene& scene, const Card& card, bool yes);
+
+// The same for the frames and the history in `directory`.
+void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes);
+
+// The same for the hours of the solve (analysis.most_hours), from the step that the first look at the mesh gives.
+void require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool yes);
+
+}  // namespace weaveform

@@ -1,0 +1,15 @@
+// Lines for people, on standard error.
+#pragma once
+
+#include <string_view>
+
+namespace weaveform {
+
+// The text and a line's end. What cannot be written is lost without a word: work does not stop because
+// nobody listens any more (a closed or full standard error, a log reader that has gone).
+void say(std::string_view line) noexcept;
+
+// The same without the line's end, for what rewrites its line on a terminal.
+void say_part(std::string_view text) noexcept;
+
+}  // namespace weaveform

@@ -1,0 +1,98 @@
+#include "mesher/tools/out_of_reach.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesher/tools/tool.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr int places = 65;                // on a tool's way
+constexpr std::size_t most_nodes = 2000;  // of the blank looked at, evenly picked: a warning must not take time
+
+struct Cloud {
+  std::vector<std::array<double, 3>> point;  // mm
+  double spacing = 0.0;                      // mm; between them, about
+};
+
+Cloud pick_nodes(const Mesh& mesh) {
+  const std::size_t count = mesh.nodes.position.size();
+  const std::size_t every = (count + most_nodes - 1) / most_nodes;
+  Cloud cloud;
+  for (std::size_t n = 0; n < count; n += every) cloud.point.push_back(mesh.nodes.position[n]);
+  cloud.spacing = std::max(mesh.spacing[0], mesh.spacing[1]) * std::sqrt(static_cast<double>(every));
+  return cloud;
+}
+
+// mm; from the fabric's face, negative inside.
+double least_gap(const Tool& tool, double way, const Cloud& cloud) {
+  Placement place = tool.start;
+  for (std::size_t c = 0; c < 3; ++c) place.origin[c] += way * tool.direction[c];
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& point : cloud.point) {
+    Distances found;
+    int hint = 0;
+    tool_distances(tool, place, {point.data(), &point[1], &point[2]}, 1, &hint, found);
+    least = std::min(least, found.distance[0] - tool.offset);
+  }
+  return least;
+}
+
+double extent_of(const Cloud& cloud) {
+  double greatest = 0.0;
+  for (const auto& p : cloud.point)
+    greatest =
+        std::max(greatest, std::hypot(p[0] - cloud.point[0][0], p[1] - cloud.point[0][1], p[2] - cloud.point[0][2]));
+  return greatest;
+}
+
+struct Approach {
+  double at_start = 0.0, nearest = 0.0;  // mm
+  double way = 0.0;                      // mm; looked at
+  bool reaches = false;
+};
+
+Approach approach(const Tool& tool, const ToolSpec& spec, const Cloud& cloud) {
+  Approach found;
+  found.at_start = found.nearest = least_gap(tool, 0.0, cloud);
+  // one that is pushed goes on until it meets something
+  found.way = spec.force ? found.at_start + 2.0 * extent_of(cloud) : spec.travel;
+  for (int k = 1; k < places; ++k)
+    found.nearest = std::min(found.nearest, least_gap(tool, found.way * k / (places - 1), cloud));
+  // between two places and between two points a little more may be met
+  found.reaches = found.nearest <= std::abs(found.way) / (places - 1) + 0.5 * cloud.spacing;
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> tools_out_of_reach(const Scene& scene, const Mesh& mesh) {
+  const auto travels = [](const GripSpec& grip) { return grip.travel != 0.0; };
+  if (scene.tools.empty() || mesh.nodes.position.empty() || scene.frame ||
+      scene.analysis.gravity != std::array<double, 3>{0.0, 0.0, 0.0} ||
+      std::any_of(scene.grip.begin(), scene.grip.end(), travels))
+    return {};
+  const Cloud cloud = pick_nodes(mesh);
+  const std::vector<Tool> tools = make_tools(scene, mesh.thickness);
+  std::vector<std::string> lines;
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    const ToolSpec& spec = scene.tools[t];
+    const bool pushed = spec.force.value_or(0.0) > 0.0;
+    if (spec.travel == 0.0 && !pushed) continue;
+    const Approach found = approach(tools[t], spec, cloud);
+    if (found.reaches) return {};
+    const bool away = found.nearest >= found.at_start;
+    lines.push_back(fmt::format(
+        "tool '{}' {} and never touches the blank: {} {:.4g} mm from it; check its position, direction and travel",
+        spec.name,
+        pushed ? fmt::format("is pushed by {:g} N", *spec.force) : fmt::format("travels {:g} mm", spec.travel),
+        away ? "it moves away, and begins" : "it comes no nearer than", found.nearest));
+  }
+  return lines;
+}
+
+}  // namespace weaveform
