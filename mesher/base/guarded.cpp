@@ -32,7 +32,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double clock_per_processor = 3.0;  // how much longer than the processor's time the clock may run
+constexpr double clock_per_processor = 5.0, least_clock = 20.0;  // s
 constexpr double bytes_per_gigabyte = 1073741824.0;
 constexpr int last_signal = 64;
 
@@ -190,15 +190,20 @@ std::string too_much(const Guard& guard) {
   return fmt::format("needs more than {:g} GB of memory", guard.gigabytes);
 }
 
+double clock_limit(const Guard& guard) {
+  return guard.clock_seconds > 0.0 ? guard.clock_seconds : std::max(least_clock, clock_per_processor * guard.seconds);
+}
+
 // What the child sent until it closed its end.
 std::string received(int pipe, const Guard& guard) {
-  const auto deadline = Clock::now() + std::chrono::duration<double>(clock_per_processor * guard.seconds);
+  const double seconds = clock_limit(guard);
+  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
   const auto most = static_cast<std::size_t>(guard.gigabytes * bytes_per_gigabyte);
   std::string bytes;
   std::vector<char> part(1 << 20);
   while (true) {
     const double left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
-    if (left <= 0.0) throw failure(guard, too_long(clock_per_processor * guard.seconds));
+    if (left <= 0.0) throw failure(guard, too_long(seconds));
     if (bytes.size() > most) throw failure(guard, too_much(guard));
     pollfd ready{pipe, POLLIN, 0};
     if (poll(&ready, 1, static_cast<int>(std::min(left + 1.0, 1e6))) <= 0) continue;

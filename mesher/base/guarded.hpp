@@ -13,16 +13,17 @@
 namespace weaveform {
 
 struct Guard {
-  std::string file;    // what is read; begins the message
-  std::string what;    // who reads it, e.g. "the reader of STEP files"
-  std::string remedy;  // what the user can do, e.g. "write it again as STL"
-  // Of processor time; by the clock three times that, for a busy machine is no fault of the file.
-  double seconds = 120.0;
+  std::string file;        // what is read; begins the message
+  std::string what;        // who reads it, e.g. "the reader of STEP files"
+  std::string remedy;      // what the user can do, e.g. "write it again as STL"
+  double seconds = 120.0;  // of processor time
+  // By the clock; 0: five times the processor's time and 20 s at least, for a busy machine is no fault of the file.
+  double clock_seconds = 0.0;
   double reading_seconds = 0.0;  // of processor time until guarded_reading_is_done(); 0: no limit of its own
   double gigabytes = 4.0;        // of address space beyond what this process has; not under the address sanitizer
   std::filesystem::path writable_folder = {};  // "": the child writes nowhere
-  int open_file = -1;                     // a descriptor that stays open in the child
-  bool may_act = false;                   // the child may write any file and start programs; the limits stay
+  int open_file = -1;                          // a descriptor that stays open in the child
+  bool may_act = false;                        // the child may write any file and start programs; the limits stay
 };
 
 // The bytes that `work` returns in the child. Exceptions of ours come back as they were thrown; any other, and the

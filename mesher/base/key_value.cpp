@@ -39,6 +39,12 @@ std::string number_limits(const Limits& limits) {
   return words;
 }
 
+std::string words_of(const Limits& limits, const std::string& unit) {
+  const std::string words = number_limits(limits);
+  const bool bare = words.empty() || unit.empty() || unit == "1";
+  return bare ? words : words + " " + unit;
+}
+
 // No quantity in any of our units is smaller but for zero, or larger; squares and cubes of these still are numbers.
 constexpr double least_size = 1e-15, greatest_size = 1e18;
 
@@ -60,6 +66,8 @@ std::optional<double> number_of(const toml::node& node, const KeyRule& rule, con
   }
   if (!std::isfinite(number)) {
     complaints.add(node, fmt::format("'{}' is {}; it must be a finite number", rule.name, number));
+  } else if (!within(rule.limits, number)) {
+    complaints.add(node, fmt::format("'{}' is {}; it must be {}", rule.name, number, words_of(rule.limits, rule.unit)));
   } else if (std::abs(number) > greatest_size || (number != 0.0 && std::abs(number) < least_size)) {
     complaints.add(node, fmt::format("'{}' is {}; its size must be 0, or from {} to {}", rule.name, number, least_size,
                                      greatest_size));
@@ -137,9 +145,7 @@ std::string range_words(const KeyRule& rule) {
     for (const auto& name : rule.allowed) names.push_back("'" + name + "'");
     return fmt::format("{}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "));
   }
-  const std::string words = number_limits(limits_of(rule));
-  const bool bare = words.empty() || rule.unit.empty() || rule.unit == "1";
-  return bare ? words : words + " " + rule.unit;
+  return words_of(limits_of(rule), rule.unit);
 }
 
 void complain_type(const toml::node& node, const KeyRule& rule, const std::string& wanted, Complaints& complaints) {

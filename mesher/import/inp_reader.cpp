@@ -23,6 +23,7 @@ struct InpReader {
   std::map<std::string, std::set<int>> node_sets;  // by upper-case name
   std::map<std::string, std::vector<long>> element_sets;
   std::vector<std::string> node_set_order, element_set_order;  // as first written
+  long generated = 0;                                          // members of sets that were not written out
   std::map<std::string, std::string> parameter;                // of the keyword at hand, upper-case names
 
   explicit InpReader(const std::filesystem::path& file) : in(file) { mesh.file = in.name(); }
@@ -135,7 +136,10 @@ struct InpReader {
         const long first = in.whole(f[0], "first"), last = in.whole(f[1], "last");
         const long step = f.size() == 3 ? in.whole(f[2], "increment") : 1;
         if (step < 1 || last < first) in.fail("an increment above 0 and a last number not below the first expected");
-        if ((last - first) / step > 10'000'000) in.fail("more members than any mesh has");
+        constexpr long greatest = 1'000'000'000'000, most = 10'000'000;  // numbers; members of all sets together
+        if (first < -greatest || last > greatest || step > greatest) in.fail("numbers beyond those of any mesh");
+        generated += (last - first) / step + 1;
+        if (generated > most) in.fail("more members than any mesh has");
         for (long k = first; k <= last; k += step) add(k);
         continue;
       }

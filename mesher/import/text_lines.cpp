@@ -13,6 +13,10 @@
 
 namespace weaveform {
 
+namespace {
+constexpr double greatest_number = 1e30;  // the square of a greater one may be infinite soon
+}
+
 TextLines::TextLines(const std::filesystem::path& file) : name_(file.string()) {
   std::istringstream in(read_text_file(file));
   for (std::string line; std::getline(in, line);) {
@@ -48,6 +52,7 @@ double TextLines::real(std::string_view word, const std::string& what) const {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     fail(fmt::format("'{}' is no finite number ({})", word, what));
+  if (std::abs(value) > greatest_number) fail(fmt::format("'{}' is beyond all measure ({})", word, what));
   return value;
 }
 

@@ -133,7 +133,7 @@ VtuGrid read_vtu(const std::filesystem::path& file, const VtuSelection& selectio
   const Guard guard{.file = file.string(),
                     .what = "VTK's reader",
                     .remedy = remedy,
-                    .seconds = 20.0 + size / 10e6,
+                    .seconds = 3.0 + size / 5e6,
                     .gigabytes = 1.0 + 32.0 * size / bytes_per_gigabyte};
   const std::string bytes = run_guarded(guard, [&] {
     try {

@@ -166,7 +166,7 @@ std::string with_gmsh(const fs::path& file, const std::function<std::string()>& 
               .writable_folder = writable_folder};
   if (format != CadFormat::script) {
     require_begins_as(format, file);
-    guard.reading_seconds = 20.0 + static_cast<double>(fs::file_size(file)) / reading_bytes_per_second;
+    guard.reading_seconds = 10.0 + static_cast<double>(fs::file_size(file)) / reading_bytes_per_second;
     return run_guarded(guard, [&] { return run_gmsh(format, file.string(), file, work); });
   }
   if (geo_scripts_are_trusted()) {

@@ -93,7 +93,7 @@ std::vector<FrameFile> list_frames(const fs::path& directory) {
   const Guard guard{.file = file.string(),
                     .what = "VTK's XML parser",
                     .remedy = "solve again",
-                    .seconds = 20.0 + static_cast<double>(content.size()) / 1e6,
+                    .seconds = 3.0 + static_cast<double>(content.size()) / 1e6,
                     .gigabytes = 1.0};
   const std::string bytes = run_guarded(guard, [&] { return parsed_index(content, file); });
   std::vector<FrameFile> frames;

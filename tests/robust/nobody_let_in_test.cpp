@@ -185,7 +185,7 @@ TEST_F(NobodyLetIn, ASurfaceWithACornerNowhereIsRefusedByFacet) {
                        std::string(corner) + "\nendloop\nendfacet\nendsolid x\n");
     const CommandResult result = run("weaveform tool t.stl");
     EXPECT_EQ(result.exit_code, 2) << result.err;
-    EXPECT_TRUE(says(result, "t.stl:7: facet 1 has a corner at")) << result.err;
+    EXPECT_TRUE(says(result, "t.stl:6: facet 1 has a corner at")) << result.err;
   }
 }
 

@@ -59,23 +59,25 @@ TEST(Guarded, ACrashIsALineThatNamesFileAndSignal) {
 TEST(Guarded, WhatNeverEndsIsEndedWhetherItComputesOrSleeps) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string computing = complaint_of(quick(), []() -> std::string {
-    for (volatile int k = 0;; k = k + 1) {
-    }
+    volatile int k = 0;
+    while (true) k = k + 1;
   });
   EXPECT_NE(computing.find("took longer than 1 s"), std::string::npos) << computing;
-  const std::string sleeping = complaint_of(quick(), []() -> std::string {
+  Guard by_the_clock = quick();
+  by_the_clock.clock_seconds = 2.0;
+  const std::string sleeping = complaint_of(by_the_clock, []() -> std::string {
     while (true) pause();
   });
-  EXPECT_NE(sleeping.find("took longer than 3 s"), std::string::npos) << sleeping;
+  EXPECT_NE(sleeping.find("took longer than 2 s"), std::string::npos) << sleeping;
   Guard reading = quick();
   reading.seconds = 30.0;
   reading.reading_seconds = 1.0;
   const std::string in_the_reader = complaint_of(reading, []() -> std::string {
-    for (volatile int k = 0;; k = k + 1) {
-    }
+    volatile int k = 0;
+    while (true) k = k + 1;
   });
   EXPECT_NE(in_the_reader.find("took longer than 1 s"), std::string::npos) << in_the_reader;
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(100));
 }
 
 #if !defined(__SANITIZE_ADDRESS__)

@@ -13,6 +13,8 @@
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/tool.hpp"
 #include "mesher/tools/triangle_report.hpp"
+#include "tests/support/mutations.hpp"
+#include "tests/support/run_command.hpp"
 
 namespace weaveform {
 namespace {
@@ -100,6 +102,45 @@ TEST(Cad, OpenSurfacesFaceTheGivenPoint) {
     const TriangleSurface surface(turned_alike(list, {20, 15, 5.0 * side}), "plate");
     EXPECT_NEAR(surface.distance({20, 15, 5.0 * side}).distance, 5.0, 1e-12);
     EXPECT_NEAR(surface.distance({20, 15, -5.0 * side}).distance, -5.0, 1e-12);
+  }
+}
+
+// OpenCASCADE crashes on about every third of these; here that is an error like any other.
+TEST(Cad, DamagedFilesEndInASurfaceOrAnError) {
+  const TemporaryFile box(".geo",
+                          "SetFactory(\"OpenCASCADE\");\nBox(1) = {-10, -10, 0, 20, 20, 10};\n"
+                          "Fillet{1}{1:4}{2}\n");
+  for (const char* ending : {".step", ".brep"}) {
+    const TemporaryFile sound(ending), file(ending);
+    convert_cad(box.path(), sound.path());
+    const std::string bytes = test::read_text(sound.path());
+    int refused = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      test::write_text(test::damaged(bytes, seed), file.path());
+      bool was_read = false;
+      try {
+        const TriangleList list = read_cad(file.path(), 1.0).list;
+        was_read = true;
+        (void)inspect(turned_alike(list, {0, 0, 1e6}));
+      } catch (const InputError& error) {
+        EXPECT_TRUE(was_read || std::string(error.what()).find(file.path().string()) != std::string::npos)
+            << error.what();
+        ++refused;
+      }
+    }
+    EXPECT_GT(refused, 5) << ending;
+  }
+}
+
+TEST(Cad, GmshSaysWhatIsWrongAndWhere) {
+  const TemporaryFile file(".geo", "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1;\n");
+  try {
+    (void)read_cad(file.path(), 1.0);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(file.path().filename().string() + "', line 2: syntax error"),
+              std::string::npos)
+        << error.what();
   }
 }
 
