@@ -142,7 +142,7 @@ TEST(DamagedCheckpoint, NeverBringsTheSolverDown) {
       "endsolid p\n",
       folder.path() / "plate.stl");
   const Scene scene = read_scene_text(
-      "[blank]\nsize = [40, 40]\nyarn_angle = 0\ncoarsening = 4\n[tools.plate]\nshape = \"triangles\"\nfile = "
+      "[blank]\nsize = [70, 70]\nyarn_angle = 0\ncoarsening = 4\n[tools.plate]\nshape = \"triangles\"\nfile = "
       "\"plate.stl\"\nposition = [0, 0, 0.7]\ndirection = [0, 0, -1]\ntravel = 0.5\n[model]\ncell = \"shell\"\n"
       "[[grip]]\nname = \"left\"\nedge = \"left\"\n[analysis]\nduration = 0.001\nenergy_limit = 1\n",
       (folder.path() / "scene.toml").string());

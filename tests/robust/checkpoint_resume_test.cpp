@@ -154,7 +154,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Resume, testing::ValuesIn(cases), [](const auto
 // The run beside a perturbed one takes as long again, and is as easily killed.
 TEST(ResumeOfAPerturbedRun, GoesOnInTheCleanRunBesideIt) {
   const test::TemporaryFolder folder;
-  const Scene scene = read_scene_text(pulled("[analysis]\nperturbation = 0.05\n"), "scene");
+  const Scene scene =
+      read_scene_text(pulled("[model]\nsymmetry = \"none\"\n[analysis]\nperturbation = 0.05\n"), "scene");
   const Card card = load_card(scene.fabric.material);
   const Mesh mesh = build_mesh(scene, card);
   Scene clean = scene;
