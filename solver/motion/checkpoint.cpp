@@ -232,6 +232,10 @@ std::string checkpoint_bytes(const Checkpoint& checkpoint, const Identity& ident
 
 Checkpoint read_checkpoint(std::string_view bytes, const Identity& identity, const CheckpointSizes& expected,
                            const std::string& name, CheckSum check) {
+  if (!bytes.starts_with(magic) && bytes.substr(0, 2 * magic.size()).find("weaveform checkpoint ") != bytes.npos)
+    throw FileError(name +
+                    ": a checkpoint of another version of Weaveform; go on with that, or start the run again "
+                    "without --resume");
   if (!bytes.starts_with(magic))
     throw_damaged_checkpoint(name, "it does not begin as one of this version of the program");
   Reader head(bytes.substr(magic.size()), name);

@@ -221,6 +221,8 @@ struct FrameWriter::Grid {
     fill_directions(mesh, fields);
     for (int cell = 0; cell < cells; ++cell) folded->SetValue(mesh.yarn_count() + cell, fields.folded[cell] ? 1 : 0);
     folded->Modified();
+    // forgets what the writer noted on it, so that every frame has the same layout, the first of a run or not
+    grid->GetCellData()->GetArray("family")->Modified();
     grid->GetPoints()->Modified();
     grid->Modified();
   }

@@ -57,7 +57,7 @@ TEST(DamagedCheckpoint, IsRefusedWhicheverByteIsTurned) {
   const std::string good = checkpoint_bytes(small(), identity);
   EXPECT_EQ(read(good).state.step, 100);
   for (std::size_t at = 0; at < good.size(); ++at)
-    for (const unsigned char flip : {0x01, 0x80, 0xff}) {
+    for (const char flip : {'\x01', '\x40', '\x7f'}) {
       std::string bytes = good;
       bytes[at] = static_cast<char>(bytes[at] ^ flip);
       EXPECT_THROW((void)read(bytes), FileError) << "byte " << at;
@@ -77,7 +77,7 @@ TEST(DamagedCheckpoint, FitsTheMeshOrIsRefusedWithoutTheSum) {
   const std::string good = checkpoint_bytes(small(), identity);
   int refused = 0;
   for (std::size_t at = 0; at < good.size(); ++at)
-    for (const unsigned char flip : {0x01, 0x10, 0x7f, 0x80, 0xff}) {
+    for (const char flip : {'\x01', '\x10', '\x40', '\x7f'}) {
       std::string bytes = good;
       bytes[at] = static_cast<char>(bytes[at] ^ flip);
       try {
@@ -142,7 +142,7 @@ TEST(DamagedCheckpoint, NeverBringsTheSolverDown) {
       "endsolid p\n",
       folder.path() / "plate.stl");
   const Scene scene = read_scene_text(
-      "[blank]\nsize = [40, 40]\nyarn_angle = 0\ncoarsening = 4\n[tools.plate]\nshape = \"triangles\"\nfile = "
+      "[blank]\nsize = [70, 70]\nyarn_angle = 0\ncoarsening = 4\n[tools.plate]\nshape = \"triangles\"\nfile = "
       "\"plate.stl\"\nposition = [0, 0, 0.7]\ndirection = [0, 0, -1]\ntravel = 0.5\n[model]\ncell = \"shell\"\n"
       "[[grip]]\nname = \"left\"\nedge = \"left\"\n[analysis]\nduration = 0.001\nenergy_limit = 1\n",
       (folder.path() / "scene.toml").string());
@@ -156,7 +156,7 @@ TEST(DamagedCheckpoint, NeverBringsTheSolverDown) {
   ASSERT_EQ(std::memcmp(good.data(), "weaveform checkpoint 3\n", 23), 0);
   int ended = 0;
   for (std::size_t at = content_at; at < good.size(); at += good.size() / 97)
-    for (const unsigned char flip : {0x01, 0x80, 0xff}) {
+    for (const char flip : {'\x01', '\x40', '\x7f'}) {
       std::string bytes = good;
       bytes[at] = static_cast<char>(bytes[at] ^ flip);
       const std::uint64_t sum = check_sum(std::string_view(bytes).substr(content_at));

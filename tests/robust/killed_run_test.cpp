@@ -27,7 +27,7 @@ std::string stopped_by(const std::string& signal, const std::string& file, const
 class KilledRun : public testing::Test {
 protected:
   // A checkpoint about every hundred times what one costs.
-  void SetUp() override { write_scene("1.5"); }
+  void SetUp() override { write_scene("0.4"); }
   void write_scene(const std::string& duration) const {
     write_text(tiny_scene() + "checkpoint_minutes = 0.0001\n\n[analysis]\nduration = " + duration + "\n",
                file("tiny.toml"));
@@ -37,10 +37,9 @@ protected:
   void expect_the_whole_run() const {
     ASSERT_EQ(run("weaveform run tiny.toml --output whole --quiet").exit_code, 0);
     EXPECT_EQ(read_text(file("out/history.csv")), read_text(file("whole/history.csv")));
-    for (int k = 0; k < 5; ++k) {
-      const std::string frame = "frames/frame_000" + std::to_string(k) + ".vtu";
-      EXPECT_TRUE(read_text(file("out") / frame) == read_text(file("whole") / frame)) << frame;
-    }
+    for (const std::string frame :
+         {"frame_0000.vtu", "frame_0001.vtu", "frame_0002.vtu", "frame_0003.vtu", "frame_0004.vtu"})
+      EXPECT_TRUE(read_text(file("out/frames") / frame) == read_text(file("whole/frames") / frame)) << frame;
     const auto summary = nlohmann::json::parse(read_text(file("out/summary.json")));
     EXPECT_EQ(summary.at("finished"), true);
     EXPECT_FALSE(fs::exists(file("out/checkpoint.bin")));
@@ -68,14 +67,14 @@ TEST_F(KilledRun, CanBeLookedAt) {
   const auto summary = nlohmann::json::parse(read_text(file("out/summary.json")));
   EXPECT_EQ(summary.at("finished"), false);
   EXPECT_GT(summary.at("time_s"), 0.0);
-  EXPECT_LT(summary.at("time_s"), 1.5);
+  EXPECT_LT(summary.at("time_s"), 0.4);
   // a line that was being written when the machine stopped
   write_text(read_text(file("out/history.csv")) + "0.7,1.2", file("out/history.csv"));
   EXPECT_EQ(run("weaveform post out --quiet").exit_code, 0);
 }
 
 TEST_F(KilledRun, BeginsAgainWhereNoCheckpointWasWritten) {
-  write_text(tiny_scene() + "checkpoint_minutes = 0\n\n[analysis]\nduration = 0.5\n", file("tiny.toml"));
+  write_text(tiny_scene() + "checkpoint_minutes = 0\n\n[analysis]\nduration = 0.2\n", file("tiny.toml"));
   ASSERT_EQ(run(stopped_by("KILL", "frames/frame_0001.vtu")).exit_code, 137);
   const auto resumed = run("weaveform run tiny.toml --output out --resume");
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
@@ -104,18 +103,12 @@ TEST_F(KilledRun, RefusesAnotherSceneByNameInSolveToo) {
 }
 
 TEST_F(KilledRun, RefusesACardOfOtherContent) {
-  ASSERT_EQ(run("weaveform check tiny.toml").exit_code, 0);
   const std::string card = read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "mesher/material/cards/twintex-pw.toml");
   write_text(card, file("my.toml"));
-  std::string scene = read_text(file("tiny.toml"));
-  scene.replace(scene.find("\"twintex-pw\""), 12, "\"my.toml\"");
-  write_text(scene, file("tiny.toml"));
+  ASSERT_EQ(run("sed -i 's/\"twintex-pw\"/\"my.toml\"/' tiny.toml").exit_code, 0);
   ASSERT_EQ(run(stopped_by("INT", "frames/frame_0001.vtu")).exit_code, 130);
-  std::string softer = card;
-  const auto at = softer.find("thickness = ");
-  ASSERT_NE(at, std::string::npos);
-  softer.insert(at + 12, "1");
-  write_text(softer, file("my.toml"));
+  ASSERT_EQ(run("sed -i 's/^thickness = 0.5/thickness = 0.6/' my.toml").exit_code, 0);
+  ASSERT_NE(read_text(file("my.toml")), card);
   const auto other = run("weaveform solve out --resume");
   EXPECT_EQ(other.exit_code, 2) << other.err;
   EXPECT_NE(other.err.find(": content differs"), std::string::npos) << other.err;
@@ -130,10 +123,10 @@ TEST_P(SignalledRun, LeavesACheckpoint) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, SignalledRun,
                          testing::Values("INT", "TERM", "HUP", "QUIT", "XCPU", "USR1", "USR2", "ALRM", "PWR"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& one) { return one.param; });
 
 TEST_F(KilledRun, GoesOnWithoutItsTerminalUnderNohup) {
-  write_scene("0.5");
+  write_scene("0.2");
   const auto result = run("nohup " + stopped_by("HUP", "frames/frame_0001.vtu"));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(fs::exists(file("out/summary.json")));
