@@ -68,6 +68,7 @@ private:
   [[nodiscard]] std::string identity() const;
   [[nodiscard]] SolveResult result();
   [[nodiscard]] std::string what_to_do() const;
+  [[nodiscard]] bool is_hasty() const;
   [[noreturn]] void fail(const std::string& what) const;
 
   const Mesh& whole_;
