@@ -109,6 +109,18 @@ std::string time_cause(const Scene& scene, const Card& card, const Solve& solve)
   return "raise blank.coarsening or analysis.mass_scale, or set analysis.step_bound = \"reached\"";
 }
 
+std::string duration_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.2g} s", seconds);
+  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.3g} h", seconds / 3600.0);
+}
+
+std::string expectation(const Scene& scene, const Card& card, const Mesh& mesh, const Solve& solve, double seconds) {
+  return fmt::format(
+      "expected: {} cells to solve of {}, about {:.3g} steps of {:.3g} s, {} on one thread, {} of memory", solve.cells,
+      mesh.cells.size(), solve.steps(), solve.step, duration_text(seconds),
+      amount(expected_memory(scene, expected_size(scene, card))));
+}
+
 }  // namespace
 
 void require_memory(const Scene& scene, const Card& card, bool yes) {
@@ -141,8 +153,7 @@ void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::p
       directory.empty() ? "the disk" : directory.string(), amount(most)));
 }
 
-void require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool yes) {
-  if (yes) return;
+std::string require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool yes) {
   const double rate = expected_rate(scene, card), limit = 3600.0 * scene.analysis.most_hours;
   const bool has_files =
       std::any_of(scene.tools.begin(), scene.tools.end(), [](const ToolSpec& tool) { return !tool.file.empty(); });
@@ -156,7 +167,7 @@ void require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool y
       // the run says it, with its place
     }
   }
-  if (seconds() <= limit) return;
+  if (yes || seconds() <= limit) return expectation(scene, card, mesh, expected, seconds());
   throw InputError(fmt::format(
       "{}the solve would take about {:.3g} steps of {:.3g} s for {} cells, {:.3g} hours (analysis.most_hours is {:g}): "
       "{}; or allow it with --yes or analysis.most_hours",

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "mesher/material/card.hpp"
 #include "mesher/mesh/mesh.hpp"
@@ -19,7 +20,8 @@ void require_memory(const Scene& scene, const Card& card, bool yes);
 // The same for the frames and the history in `directory`.
 void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes);
 
-// The same for the hours of the solve (analysis.most_hours), from the step that the first look at the mesh gives.
-void require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool yes);
+// The same for the hours of the solve (analysis.most_hours), from the step that the first look at the mesh gives. What
+// is expected, as one line for the log.
+std::string require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool yes);
 
 }  // namespace weaveform

@@ -52,9 +52,9 @@ void log_warnings(const std::vector<std::string>& warnings, const std::vector<st
     if (std::find(said.begin(), said.end(), line) == said.end()) log_line("warning: " + line);
 }
 
-void require_room(const Model& model, const fs::path& directory, bool yes) {
+std::string require_room(const Model& model, const fs::path& directory, bool yes) {
   require_disk(model.scene, model.mesh, directory, yes);
-  require_time(model.scene, model.card, model.mesh, yes);
+  return require_time(model.scene, model.card, model.mesh, yes);
 }
 
 std::string describe(const Model& model) {
@@ -113,7 +113,7 @@ void solve_folder(const fs::path& directory, const SolveOptions& options, bool y
   require_file(directory, "mesh.vtu", "weaveform mesh SCENE --output DIR");
   const Card card = load_card(scene.fabric.material, scene.file);
   const Mesh mesh = read_mesh(directory / "mesh.vtu");
-  if (!yes) require_room({scene, card, mesh}, directory, yes);
+  if (!yes) (void)require_room({scene, card, mesh}, directory, yes);
   if (!options.quiet) log_line(describe(find_symmetry(scene, card, mesh)));
   SolveOptions how = options;
   how.program = version_line();

@@ -31,8 +31,9 @@ struct Model {
 // "warning: ..." on standard error, also of a quiet command; those in `said` are left out.
 void log_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& said = {});
 
-// Throws InputError when the disk of `directory` or the hours allowed are too few for the run, unless `yes`.
-void require_room(const Model& model, const std::filesystem::path& directory, bool yes);
+// What the run is expected to take, as a line for the log. Throws InputError when the disk of `directory` or the hours
+// allowed are too few for the run, unless `yes`.
+std::string require_room(const Model& model, const std::filesystem::path& directory, bool yes);
 
 // One line: how many cells, yarn elements and nodes, and at what spacing; with the coarsening that comes to where the
 // lattice was fitted to the grips.

@@ -15,9 +15,9 @@ void add_check_command(CLI::App& program) {
   add_scene_arguments(*command, *arguments);
   command->callback([arguments] {
     const Model model = build_model(arguments->scene, arguments->overrides, arguments->yes);
-    require_room(model, default_result_folder(arguments->scene), arguments->yes);
+    const std::string expected = require_room(model, default_result_folder(arguments->scene), arguments->yes);
     log_warnings(early_warnings(model));
-    print_answer("# " + describe(model) + "\n" + scene_to_toml(model.scene));
+    print_answer("# " + describe(model) + "\n# " + expected + "\n" + scene_to_toml(model.scene));
   });
 }
 

@@ -67,10 +67,12 @@ void run(const RunArguments& arguments) {
   if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
   const Model model = build_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes);
   const std::filesystem::path directory = folder_of(arguments);
-  if (!arguments.solve.resume) require_room(model, directory, arguments.scene.yes);
+  std::string expected;
+  if (!arguments.solve.resume) expected = require_room(model, directory, arguments.scene.yes);
   if (!arguments.solve.quiet) {
     log_start("run", model.scene);
     log_line(describe(model));
+    if (!expected.empty()) log_line(expected);
   }
   const OutputFolder folder(result_claim(directory, model.scene));
   log_warning(folder.trouble());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mesher/base/error.hpp"
 #include "mesher/outline/blank_outline.hpp"
@@ -36,7 +37,8 @@ std::string find_outlier(const std::vector<OutlineLoop>& loops, const Bounds& bo
       for (const auto& other : loops)
         for (std::size_t n = 0; n < other.point.size(); ++n)
           if (&other != &loop || n != k) without.take_in(other.point[n]);
-      if (!(without.area() * outlying < box.area())) continue;
+      // three corners have no majority
+      if (loop.point.size() < 4 || !(without.area() * outlying < box.area())) continue;
       return fmt::format("{} ({:.6g}, {:.6g})", k < loop.place.size() ? loop.place[k] : fmt::format("corner {}", k + 1),
                          p[0], p[1]);
     }
@@ -50,6 +52,7 @@ ExpectedSize expected_size(const Scene& scene, const Card& card) {
   ExpectedSize size;
   size.spacing = {blank.coarsening[1] * card.yarn[1].interval, blank.coarsening[0] * card.yarn[0].interval};
   double area = blank.size[0] * blank.size[1];
+  if (blank.shape == "disc") area *= 0.25 * std::numbers::pi;
   size.extent = blank.size;
   if (blank.shape == "polygon" || blank.shape == "file") {
     std::vector<std::string> complaints;
@@ -64,7 +67,7 @@ ExpectedSize expected_size(const Scene& scene, const Card& card) {
     size.extent = box.extent();
     size.outlier = find_outlier(loops, box);
   }
-  const double angle = std::fmod(blank.yarn_angle, 360.0) * 0.017453292519943295;  // rad
+  const double angle = std::fmod(blank.yarn_angle, 360.0) * std::numbers::pi / 180.0;  // rad
   const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
   size.cells = area / (size.spacing[0] * size.spacing[1]);
   size.crossings = ((size.extent[0] * c + size.extent[1] * s) / size.spacing[0] + 1.0) *

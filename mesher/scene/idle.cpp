@@ -13,7 +13,7 @@ namespace {
 
 constexpr double earth = 9810.0;        // mm/s^2
 constexpr double most_earths = 100.0;   // a centrifuge has more, a press and a table do not
-constexpr double least_earths = 0.005;  // written in m/s^2 it is a thousandth
+constexpr double least_earths = 0.005;  // written in m/s^2 it is a thousandth; beside other loads it may be a trick
 
 double weight_of(const Scene& scene) {
   const auto& g = scene.analysis.gravity;
@@ -69,7 +69,7 @@ void look_at_loads(const Scene& scene, std::vector<std::string>& found) {
       std::any_of(scene.grip.begin(), scene.grip.end(), [](const GripSpec& grip) { return !holds_nothing(grip); });
   if (weight > 0.0 && !held)
     found.emplace_back("nothing holds the fabric: it falls freely; add a grip, or a tool beneath it");
-  if (weight > most_earths * earth || (weight > 0.0 && weight < least_earths * earth))
+  if (weight > most_earths * earth || (!moved && weight > 0.0 && weight < least_earths * earth))
     found.push_back(fmt::format("analysis.gravity is {:.4g} mm/s2, {:.3g} times Earth's 9810; it is in mm/s2", weight,
                                 weight / earth));
 }

@@ -323,7 +323,7 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
                 "keeps "
                 "yarns that jump between tension and slackness from making energy out of rounding noise"}),
     key<&AnalysisSpec::step_factor>(
-        {.name = "step_factor", .unit = "1", .limits = above(0, 4), .doc = "fraction of the stable step"}),
+        {.name = "step_factor", .unit = "1", .limits = between(1e-4, 4), .doc = "fraction of the stable step"}),
     key<&AnalysisSpec::step_bound>(
         {.name = "step_bound",
          .allowed = {"stiffest", "reached"},
@@ -342,7 +342,7 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
     key<&AnalysisSpec::mass_scale>(
         {.name = "mass_scale",
          .unit = "1",
-         .limits = above(0, 1e6),
+         .limits = between(1e-4, 1e6),
          .doc =
              "factor on the fabric's mass, not on its weight: above 1 the step grows with its root, and inertia with "
              "it, as if loaded that much faster; the mass added is in the summary"}),

@@ -302,18 +302,21 @@ void Analysis::check_yarns() const {
                       yarn_place(mesh_, e), strain, what_to_do()));
     fail(
         fmt::format("{} is torn: its true strain is {:.3g}, and it bears what the card's yarns tear at ({:.3g}); pull "
-                    "the fabric less or {}, or give the card its measured tearing_strain",
-                    yarn_place(mesh_, e), strain, tearing, what_to_do()));
+                    "the fabric less{}, or give the card its measured tearing_strain",
+                    yarn_place(mesh_, e), strain, tearing, is_hasty() ? ", or " + what_to_do() : ""));
   }
 }
 
 // A motion far faster than what the program would choose breaks a fabric by its inertia, whatever the step.
 std::string Analysis::what_to_do() const {
-  const double slow = automatic_duration(scene_, card_);
-  if (scene_.analysis.step_factor <= 1.0 && duration_ < hasty_share * slow)
+  if (is_hasty())
     return fmt::format("load it more slowly: the duration is {:.3g} s, and {:.3g} s would be chosen for this scene",
-                       duration_, slow);
+                       duration_, automatic_duration(scene_, card_));
   return fmt::format("lower analysis.step_factor (now {})", scene_.analysis.step_factor);
+}
+
+bool Analysis::is_hasty() const {
+  return scene_.analysis.step_factor <= 1.0 && duration_ < hasty_share * automatic_duration(scene_, card_);
 }
 
 void Analysis::perturb() {

@@ -76,6 +76,7 @@ private:
   [[nodiscard]] SolveStatistics statistics();
   [[nodiscard]] SolveResult result();
   [[nodiscard]] std::string what_to_do() const;
+  [[nodiscard]] bool is_hasty() const;
   [[noreturn]] void fail(const std::string& what) const;
 
   const Mesh& whole_;

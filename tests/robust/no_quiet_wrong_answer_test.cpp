@@ -43,8 +43,8 @@ protected:
     const auto result = run(scene);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const auto at = result.err.find(words);
-    EXPECT_NE(at, std::string::npos) << words << "\n" << result.err;
-    if (at != std::string::npos) EXPECT_EQ(result.err.find(words, at + 1), std::string::npos) << result.err;
+    ASSERT_NE(at, std::string::npos) << words << "\n" << result.err;
+    EXPECT_EQ(result.err.find(words, at + 1), std::string::npos) << result.err;
     EXPECT_NE(read_text(file("out/summary.json")).find(words), std::string::npos) << words;
   }
   void expect_told_before(const std::string& scene, const std::string& words) {

@@ -111,7 +111,9 @@ TEST_F(WithoutEnd, OnlyRegularFilesAreRead) {
       EXPECT_EQ(result.exit_code, 4) << command << name << ": " << result.err;
       EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
     }
-    EXPECT_EQ(run("check tiny.toml --set fabric.material=" + (name.front() == '/' ? "" : "./") + name).exit_code, 4)
+    EXPECT_EQ(
+        run("check tiny.toml --set fabric.material=" + std::string(name.front() == '/' ? "" : "./") + name).exit_code,
+        4)
         << name;
   }
   EXPECT_EQ(run("check tiny.toml --set blank.shape=file --set blank.outline=pipe.csv").exit_code, 4);

@@ -42,7 +42,7 @@ public:
     const double stable = critical(position(), stiffest, further).step;
     step_ = step_factor * stable * (std::sqrt(1.0 + viscosity * viscosity) - viscosity);
     fabric_->set_viscosity({viscosity * stable * stiffest[0], viscosity * stable * stiffest[1]});
-    motion_ = std::make_unique<Motion>(patch_.packed, 0.0, 1);
+    motion_ = std::make_unique<Motion>(patch_.packed, 0.0, alone());
     internal_ = std::make_unique<InternalEnergy>(patch_.mesh, patch_.card, laws_, scene_.model);
   }
 

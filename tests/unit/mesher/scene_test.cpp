@@ -72,7 +72,9 @@ Scene unusual_scene() {
                     .damping = 7,
                     .energy_limit = 0.01,
                     .perturbation = 1e-3,
-                    .perturbation_seed = 42};
+                    .perturbation_seed = 42,
+                    .most_hours = 36.5,
+                    .most_memory = 4.5};
   scene.frame = {.length = 300.5,
                  .travel = -7,
                  .grip = "corner",
