@@ -66,7 +66,7 @@ void study_command(const StudyArguments& arguments) {
   const std::vector<study::Case> cases = plan.border ? study::border_ends(plan) : study::expand(plan);
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / plan.file.stem()
                                                                    : std::filesystem::path(arguments.output);
-  claim_folder(plan, directory);
+  if (arguments.format.empty() || !plan.border) claim_folder(plan, directory);  // a border is no workflow
   if (!arguments.format.empty()) {
     study::export_snakemake(plan, cases, directory);
     if (!arguments.quiet)

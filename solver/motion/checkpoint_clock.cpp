@@ -1,22 +1,19 @@
 #include "solver/motion/checkpoint_clock.hpp"
 
-#include <algorithm>
-
 namespace weaveform {
 
 CheckpointClock::CheckpointClock(double minutes, Clock::time_point now)
-    : interval_(60.0 * minutes), last_(now), pause_(interval_) {}
+    : interval_(60.0 * minutes), start_(now), last_(now) {}
 
 bool CheckpointClock::due(Clock::time_point now) const {
-  return interval_ > 0.0 && std::chrono::duration<double>(now - last_).count() >= pause_;
+  const auto since = [&](Clock::time_point then) { return std::chrono::duration<double>(now - then).count(); };
+  return interval_ > 0.0 && since(last_) >= interval_ && since(start_) >= spent_ / most_checkpoint_share;
 }
 
 void CheckpointClock::note_written(Clock::time_point begin, Clock::time_point end) {
-  const double cost = std::chrono::duration<double>(end - begin).count();
   ++count_;
-  spent_ += cost;
+  spent_ += std::chrono::duration<double>(end - begin).count();
   last_ = end;
-  pause_ = std::max(interval_, cost / most_checkpoint_share);
 }
 
 }  // namespace weaveform

@@ -23,8 +23,7 @@ public:
 
 private:
   double interval_;  // s
-  Clock::time_point last_;
-  double pause_;  // s; from then to the next
+  Clock::time_point start_, last_;
   int count_ = 0;
   double spent_ = 0.0;
 };

@@ -97,7 +97,9 @@ TEST(Statistics, ComeBackExactlyWithNotANumberAsSuch) {
 
 TEST(Statistics, MissingValueIsNamed) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder.path() / "solve.json") << "{\"cells\": 4, \"nodes\": 9}";
+  std::ofstream(folder.path() / "solve.json")
+      << R"({"finished": true, "time_s": 1, "program": "", "scene_digest": "", "card_digest": "",
+      "mesh_digest": "", "cells": 4, "nodes": 9})";
   try {
     (void)read_statistics(folder.path() / "solve.json");
     FAIL() << "no error";
