@@ -39,7 +39,7 @@ public:
         packed_(pack_mesh(mesh_)),
         state_(initial_state(packed_, mesh_)),
         laws_(yarn_laws(card_, scene.model)),
-        forces_(packed_, card_, laws_, scene.model, state_, 1),
+        forces_(packed_, card_, laws_, scene.model, state_, alone()),
         energy_(mesh_, card_, laws_, scene.model) {
     std::vector<char> held(mesh_.node_count(), 0);
     for (const auto& set : mesh_.sets)
