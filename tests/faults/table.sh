@@ -101,7 +101,7 @@ interrupted_by() {
     fi
     # every second is killed once more on the way
     if ((k % 2)); then
-      timeout -s KILL "$(random_seconds 0.5)" "$program" run "$long_scene" -o "$work/r" -q --resume >/dev/null 2>&1
+      { timeout -s KILL "$(random_seconds 0.5)" "$program" run "$long_scene" -o "$work/r" -q --resume; } >/dev/null 2>&1
     fi
     weave run "$long_scene" -o "$work/r" -q --resume
     status=$?
@@ -117,17 +117,64 @@ interrupted_by() {
   finish
 }
 
-damaged_input() { # NAME FILE COMMAND...: FILE (a copy of FILE.sound) is damaged before each COMMAND
+# damaged_input NAME FILE COMMAND...: FILE, a copy of FILE.sound, is damaged before each COMMAND.
+damaged_input() {
   local k file=$2
   begin "$1"
   shift 2
   for ((k = 0; k < tries * 5; k++)); do
     cp "$file.sound" "$file"
     damage "$file"
-    limit=60 weave "$@"
+    limit=${slow:-60} weave "$@"
+    ended $?
+  done
+  cp "$file.sound" "$file"
+  finish
+}
+
+# damaged_result NAME FILE COMMAND...: the same for a file of the finished run in $work/tiny.
+damaged_result() {
+  cp "$work/tiny/$2" "$work/tiny/$2.sound"
+  damaged_input "$1" "$work/tiny/$2" "${@:3}"
+  rm "$work/tiny/$2.sound"
+}
+
+damaged_checkpoint() {
+  local k
+  begin "a damaged checkpoint.bin, then \`--resume\`" "the run"
+  "$program" run "$long_scene" -o "$work/ck" -q >"$work/out" 2>"$work/err" </dev/null &
+  sleep 1
+  kill -s INT $!
+  wait $!
+  for ((k = 0; k < tries * 10; k++)); do
+    rm -rf "$work/ck2" && cp -a "$work/ck" "$work/ck2"
+    damage "$work/ck2/checkpoint.bin"
+    weave solve "$work/ck2" --resume -q
     ended $?
   done
   finish
+}
+
+damaged_geometry() {
+  local kind
+  printf 'SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 20, 20, 10}; Cylinder(2) = {10, 10, 10, 0, 0, 5, 4};
+BooleanUnion { Volume{1}; Delete; } { Volume{2}; Delete; }\n' >"$work/part.geo"
+  for kind in step brep stl; do
+    weave tool "$work/part.geo" --chord-tolerance 1 -o "$work/t.$kind" || { echo "no $kind" >&2; continue; }
+    cp "$work/t.$kind" "$work/t.$kind.sound"
+    slow=400 damaged_input "a damaged ${kind^^} file" "$work/t.$kind" tool "$work/t.$kind" --chord-tolerance 1
+  done
+  cp "$work/part.geo" "$work/t.geo.sound"
+  slow=400 damaged_input "a damaged .geo script" "$work/t.geo" tool "$work/t.geo" --chord-tolerance 1
+}
+
+damaged_meshes() {
+  local kind
+  for kind in abaqus:inp gmsh:msh; do
+    weave export "$here/tiny.toml" --format "${kind%:*}" -o "$work/m.${kind#*:}.sound.${kind#*:}" || continue
+    mv "$work/m.${kind#*:}.sound.${kind#*:}" "$work/m.${kind#*:}.sound"
+    damaged_input "a damaged .${kind#*:} mesh" "$work/m.${kind#*:}" import "$work/m.${kind#*:}" -o "$work/imported"
+  done
 }
 
 disk_full() {
@@ -229,15 +276,24 @@ scripts_with_commands() {
   finish
 }
 
+# Keys of tables that the scene has, by their own names in it.
+scene_keys() {
+  "$program" keys | awk -F'`' '/^## /{ table = $2; gsub(/[][]/, "", table) }
+    /^\| `/{ if (table == "measure") table = "measure.corner"; if (table == "tools.NAME") table = "tools.punch"
+      if (table ~ /fabric|blank|model|punch|analysis|output|corner/) print table "." $2 }'
+}
+
 nonsense_scenes() {
-  begin "a value of nonsense in a scene"
-  local key value
-  while read -r key; do
-    for value in 0 -1 1e-300 1e300 nan inf 9223372036854775807 '""' '[]'; do
-      limit=60 weave check "$long_scene" --set "$key=$value"
-      ended $?
-    done
-  done <"$here/keys.txt"
+  local keys values=(0 -1 1e-300 1e-9 1e9 1e300 nan inf 9223372036854775807 '""' '[]' '[nan,nan,nan]' true) k
+  mapfile -t keys < <(scene_keys)
+  begin "a value of nonsense in a scene (\`check\`, then \`run\`)"
+  for ((k = 0; k < tries * 10; k++)); do
+    local setting="${keys[RANDOM % ${#keys[@]}]}=${values[RANDOM % ${#values[@]}]}"
+    weave check "$here/tiny.toml" --set "$setting"
+    ended $?
+    weave run "$here/tiny.toml" -o "$work/nonsense" -q --set "$setting"
+    ended $?
+  done
   finish
 }
 
@@ -249,12 +305,28 @@ weave run "$long_scene" -o "$work/reference" -q || { echo "error: the reference 
 whole_run=$(seconds_since "$begun")
 weave run "$here/tiny.toml" -o "$work/tiny" -q || exit 1
 
-interrupted_by KILL "kill -9 at any moment (also out of memory, power cut), then \`--resume\`"
-for signal in HUP INT TERM QUIT XCPU USR1; do interrupted_by "$signal" "SIG$signal at any moment, then \`--resume\`"; done
+interrupted_by KILL "kill -9 at any moment (also: no memory left, power cut), then \`--resume\`"
+for signal in HUP INT TERM QUIT XCPU USR1; do
+  interrupted_by "$signal" "SIG$signal at any moment, then \`--resume\`"
+done
+damaged_checkpoint
 two_runs
+links_and_strangers
 disk_full
 no_memory
 closed_streams
-links_and_strangers
 scripts_with_commands
+damaged_geometry
+damaged_result "a damaged mesh.vtu, then \`solve\`" mesh.vtu solve "$work/tiny" -q
+weave run "$here/tiny.toml" -o "$work/tiny" -q
+damaged_result "a damaged frame" frames/frame_0002.vtu post "$work/tiny"
+damaged_result "a damaged result.pvd" result.pvd post "$work/tiny"
+damaged_result "a damaged history.csv" history.csv post "$work/tiny"
+damaged_result "a damaged solve.json" solve.json post "$work/tiny"
+cp "$work/tiny/mesh.vtu" "$work/onto.vtu.sound"
+damaged_input "a damaged .vtu to map onto" "$work/onto.vtu" export "$work/tiny" --format csv -o "$work/x.csv" --force --onto "$work/onto.vtu"
+damaged_meshes
+cp "$here/tiny.toml" "$work/scene.toml.sound"
+damaged_input "a damaged scene" "$work/scene.toml" check "$work/scene.toml"
 nonsense_scenes
+exit "$broken"

@@ -188,7 +188,7 @@ TEST_F(Border, WrongTablesAreErrorsWithTheirPlace) {
   EXPECT_EQ(complaints("[border]\nkey = \"analysis.step_factor\"\nholds = 1\n"),
             "s.toml:2:1: [border] lacks the required key 'fails'; add fails = a number");
   EXPECT_EQ(complaints("[border]\nkey = \"analysis.step_factor\"\nholds = 1\nfails = 9\n"),
-            "s.toml:2:1: analysis.step_factor: 'step_factor' is 9; it must be > 0 and <= 4");
+            "s.toml:2:1: analysis.step_factor: 'step_factor' is 9; it must be >= 0.0001 and <= 4");
   EXPECT_EQ(complaints(border + "tolerence = 1\n"),
             "s.toml:6:1: unknown key 'tolerence' in [border]; did you mean 'tolerance'?");
   EXPECT_EQ(complaints(border + "[[border.while]]\nmeasure = \"a\"\n"),
