@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
@@ -36,6 +39,10 @@ void take(const nlohmann::json& value, Count& field) {
   field = value.get<Count>();
 }
 
+// Statistics that earlier versions, which wrote the file of a finished run only, did not have.
+constexpr std::array<std::string_view, 7> added_later = {
+    "finished", "time_s", "program", "scene_digest", "card_digest", "mesh_digest", "checkpoint_wall_s"};
+
 }  // namespace
 
 void write_statistics(const SolveStatistics& statistics, const std::filesystem::path& file) {
@@ -47,11 +54,14 @@ void write_statistics(const SolveStatistics& statistics, const std::filesystem::
 SolveStatistics read_statistics(const std::filesystem::path& file) {
   const std::string text = read_text_file(file);
   SolveStatistics statistics;
+  statistics.finished = true;
   const char* current = "";
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
     for_each_statistic(statistics, [&](const char* name, auto& value) {
       current = name;
+      const bool may_lack = std::find(added_later.begin(), added_later.end(), name) != added_later.end();
+      if (may_lack && !json.contains(name)) return;
       take(json.at(name), value);
     });
   } catch (const nlohmann::json::parse_error& error) {

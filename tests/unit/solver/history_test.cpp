@@ -3,8 +3,10 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
 #include "solver/result/result.hpp"
 #include "tests/unit/solver/temporary_folder.hpp"
 
@@ -97,9 +99,7 @@ TEST(Statistics, ComeBackExactlyWithNotANumberAsSuch) {
 
 TEST(Statistics, MissingValueIsNamed) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder.path() / "solve.json")
-      << R"({"finished": true, "time_s": 1, "program": "", "scene_digest": "", "card_digest": "",
-      "mesh_digest": "", "cells": 4, "nodes": 9})";
+  std::ofstream(folder.path() / "solve.json") << R"({"cells": 4, "nodes": 9})";
   try {
     (void)read_statistics(folder.path() / "solve.json");
     FAIL() << "no error";
@@ -108,6 +108,34 @@ TEST(Statistics, MissingValueIsNamed) {
   }
   std::ofstream(folder.path() / "solve.json") << "{";
   EXPECT_THROW((void)read_statistics(folder.path() / "solve.json"), InputError);
+}
+
+TEST(Statistics, OfAnEarlierVersionAreThoseOfAFinishedRun) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "solve.json";
+  SolveStatistics written;
+  written.cells = 12;
+  write_statistics(written, file);
+  auto json = nlohmann::json::parse(read_text_file(file));
+  for (const char* name : {"finished", "time_s", "program", "scene_digest", "card_digest", "mesh_digest"})
+    json.erase(name);
+  write_text_whole(file, json.dump());
+  const SolveStatistics read = read_statistics(file);
+  EXPECT_TRUE(read.finished);
+  EXPECT_EQ(read.cells, 12);
+}
+
+TEST(Statistics, CountsThatDoNotFitAreRefused) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "solve.json";
+  write_statistics({}, file);
+  const auto sound = nlohmann::json::parse(read_text_file(file));
+  for (const char* count : {"-1", "1e30", "0.5", "4294967296", "null", "true"}) {
+    auto json = sound;
+    json["cells"] = nlohmann::json::parse(count);
+    write_text_whole(file, json.dump());
+    EXPECT_THROW((void)read_statistics(file), InputError) << count;
+  }
 }
 
 }  // namespace
