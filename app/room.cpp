@@ -25,10 +25,13 @@ constexpr double crossing_bytes = 64.0;  // of the lattice across the bounding b
 constexpr double frame_bytes = 340.0, frame_bytes_with_tools = 480.0, mesh_bytes = 370.0;  // a cell
 constexpr double number_bytes = 20.0;                                                      // written
 constexpr double most_crossings = 2e9;  // beyond, they cannot be numbered
-// Cells times steps a second on one thread: half of what an undisturbed core of 2020 does.
+// Cells times steps a second on one thread, for the first look: a fraction of what an undisturbed core of 2020 does.
+// What comes near the limit by it is measured.
 constexpr double membrane_rate = 8e6, bending_rate = 4e6, shell_rate = 1.5e6;
 constexpr double far_off = 10.0;  // a setting so many times from what would be chosen is the first to look at
 constexpr double surely = 50.0;   // an estimate from the card alone may be that wrong
+constexpr double nearly = 10.0;   // one from the first step and a tabulated rate
+constexpr int measured_steps = 60;
 
 std::string where(const Scene& scene) {
   return scene.file.empty() ? "" : scene.file + ": ";
@@ -71,16 +74,23 @@ double lattice_step(const Scene& scene, const Card& card, const Mesh& mesh) {
 struct Solve {
   double duration = 0.0, step = 0.0;  // s
   int cells = 0;                      // of the part that symmetry leaves, once known
+  double wall = 0.0;                  // s; of the steps tried
   [[nodiscard]] double steps() const { return duration / step; }
 };
 
 // The first step of an analysis knows all that sets it: tools, bending, a frame's members.
-Solve first_step(const Scene& scene, const Card& card, const Mesh& mesh) {
+Solve first_steps(const Scene& scene, const Card& card, const Mesh& mesh, int steps) {
   Scene clean = scene;
   clean.analysis.perturbation = 0.0;  // a perturbed analysis is two
   clean.analysis.step_check = false;  // the run itself complains
-  const auto trial = solve(mesh, clean, card, {}, {.threads = 1, .quiet = true, .most_steps = 1}).statistics;
-  return {trial.duration_s, trial.step_s, trial.cells_solved};
+  const auto trial = solve(mesh, clean, card, {}, {.threads = 1, .quiet = true, .most_steps = steps}).statistics;
+  return {trial.duration_s, trial.step_s, trial.cells_solved, trial.wall_s};
+}
+
+// s; of a step on this machine, now, without what an analysis takes to begin.
+double measured_step(const Scene& scene, const Card& card, const Mesh& mesh, const Solve& first) {
+  const Solve more = first_steps(scene, card, mesh, measured_steps);
+  return std::max(more.wall - first.wall, 0.0) / (measured_steps - 1);
 }
 
 double expected_rate(const Scene& scene, const Card& card) {
@@ -158,11 +168,15 @@ std::string require_time(const Scene& scene, const Card& card, const Mesh& mesh,
   const bool has_files =
       std::any_of(scene.tools.begin(), scene.tools.end(), [](const ToolSpec& tool) { return !tool.file.empty(); });
   Solve expected{choose_loading(scene, card).duration, lattice_step(scene, card, mesh), mesh.cells.size()};
-  const auto seconds = [&] { return expected.steps() * std::max(expected.cells, 100) / rate; };
+  double step_seconds = 0.0;
+  const auto seconds = [&] {
+    return expected.steps() * (step_seconds > 0.0 ? step_seconds : std::max(expected.cells, 100) / rate);
+  };
   // reading a surface a second time takes longer than most solves
   if (!has_files || seconds() * surely > limit) {
     try {
-      expected = first_step(scene, card, mesh);
+      expected = first_steps(scene, card, mesh, 1);
+      if (!yes && seconds() * nearly > limit) step_seconds = measured_step(scene, card, mesh, expected);
     } catch (const PhysicsError&) {
       // the run says it, with its place
     }

@@ -1,7 +1,7 @@
 // Whether there is room for what a scene asks: memory and disk before anything large is made, time before the solve.
 //
-// What is expected was measured on common machines and is meant to tell hours from years and megabytes from terabytes,
-// not to plan by ('weaveform mesh --plan' measures on the machine it runs on).
+// What is expected of memory and disk was measured once and tells megabytes from terabytes; so do hours far below the
+// limit. Hours near it are measured by a few steps on this machine. 'weaveform mesh --plan' measures all of it.
 #pragma once
 
 #include <filesystem>

@@ -79,6 +79,9 @@ void log_start(const std::string& command, const Scene& scene) {
 }
 
 void write_model(const Model& model, const fs::path& directory) {
+  if (has_checkpoint(directory))
+    log_warning(fmt::format("{}: held a run that was not finished; it is begun anew, where --resume would have gone on",
+                            directory.string()));
   clear_folder(directory);
   // The folder's copy may be read from anywhere, so nothing in it may hang on where the original lies.
   write_scene_copy(with_absolute_paths(model.scene), directory);

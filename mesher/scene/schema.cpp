@@ -378,8 +378,8 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
         {.name = "most_hours",
          .unit = "h",
          .limits = above(0, 1e5),
-         .doc = "a solve that is expected to take longer does not begin, unless `--yes` says so; expected from cells, "
-                "steps and a rate that this program reaches on common machines"}),
+         .doc = "a solve that is expected to take longer does not begin, unless `--yes` says so; expected from "
+                "cells, steps and, near the limit, the time that a few steps take here"}),
     key<&AnalysisSpec::most_memory>(
         {.name = "most_memory",
          .unit = "GB",
