@@ -32,6 +32,11 @@ double angle_between(const Vector& a, const Vector& b) {
   return std::atan2(std::sqrt(turn.squared_length()), a * b);
 }
 
+// In [0, 1], also where a sliver's sizes are lost in rounding and nothing is left of the whole.
+double share(double part, double whole) {
+  return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
+}
+
 // Closest point of a triangle and the part of it that holds it (Ericson 2005, "Real-Time Collision Detection", 5.1.5):
 // 0..2 vertex, 3..5 the edge from vertex part-3 to the next, 6 the face.
 struct OnTriangle {
@@ -49,13 +54,13 @@ OnTriangle closest_on(const Kernel::Triangle_3& t, const Point& p) {
   const double d5 = ab * cp, d6 = ac * cp;
   if (d6 >= 0.0 && d5 <= d6) return {c, 2};
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {a + d1 / (d1 - d3) * ab, 3};
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {a + share(d1, d1 - d3) * ab, 3};
   const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return {b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b), 4};
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return {b + share(d4 - d3, (d4 - d3) + (d5 - d6)) * (c - b), 4};
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {a + d2 / (d2 - d6) * ac, 5};
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {a + share(d2, d2 - d6) * ac, 5};
   const double sum = va + vb + vc;
-  return {a + (vb / sum) * ab + (vc / sum) * ac, 6};
+  return {a + share(vb, sum) * ab + share(vc, sum) * ac, 6};
 }
 
 }  // namespace

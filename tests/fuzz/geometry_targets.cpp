@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "mesher/import/foreign_mesh.hpp"
@@ -58,15 +58,18 @@ void geo(std::string_view bytes) {
   });
 }
 
-// A corner on each line.
+// A corner on each line; whatever is no number stands between two.
 std::vector<std::vector<double>> corners_of(std::string_view bytes) {
-  std::vector<std::vector<double>> corners;
-  std::istringstream lines(text_of(bytes));
-  for (std::string line; std::getline(lines, line);) {
-    corners.emplace_back();
-    std::istringstream words(line);
-    for (double x = 0.0; words >> x;) corners.back().push_back(x);
+  std::vector<std::vector<double>> corners(1);
+  const char *at = bytes.data(), *const end = at + bytes.size();
+  while (at < end) {
+    if (*at == '\n') corners.emplace_back();
+    double x = 0.0;
+    const auto [after, error] = std::from_chars(at, end, x);
+    if (error == std::errc()) corners.back().push_back(x);
+    at = error == std::errc() ? after : at + 1;
   }
+  if (corners.back().empty()) corners.pop_back();
   return corners;
 }
 

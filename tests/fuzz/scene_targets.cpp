@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
 
 #include "app/study/study_spec.hpp"
 #include "mesher/lattice/build.hpp"
@@ -26,23 +25,26 @@ void scene(std::string_view bytes) {
 }
 
 // The first line is a value given on the command line to the scene that follows.
-std::pair<std::string, std::string> value_and_scene(std::string_view bytes) {
+struct ValueAndScene {
+  std::string value, scene;
+};
+ValueAndScene split(std::string_view bytes) {
   const auto end = std::find(bytes.begin(), bytes.end(), '\n');
   return {{bytes.begin(), end}, {end, bytes.end()}};
 }
 
 void override_value(std::string_view bytes) {
-  const auto [value, rest] = value_and_scene(bytes);
-  answered([&] { static_cast<void>(read_scene_text(rest, "scene.toml", {value})); });
+  const ValueAndScene given = split(bytes);
+  answered([&] { static_cast<void>(read_scene_text(given.scene, "scene.toml", {given.value})); });
 }
 
 // With and without that value: two scenes have one digest exactly when nothing differs by name.
 void identity(std::string_view bytes) {
-  const auto [value, rest] = value_and_scene(bytes);
+  const ValueAndScene given = split(bytes);
   answered([&] {
-    const Identity plain = scene_identity(read_scene_text(rest, "scene.toml"));
+    const Identity plain = scene_identity(read_scene_text(given.scene, "scene.toml"));
     hold(differences(plain, plain).empty());
-    const Identity other = scene_identity(read_scene_text(rest, "scene.toml", {value}));
+    const Identity other = scene_identity(read_scene_text(given.scene, "scene.toml", {given.value}));
     hold(differences(plain, other).empty() == (digest_of(plain) == digest_of(other)));
   });
 }
