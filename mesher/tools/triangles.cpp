@@ -63,13 +63,36 @@ OnTriangle closest_on(const Kernel::Triangle_3& t, const Point& p) {
   return {a + share(vb, sum) * ab + share(vc, sum) * ac, 6};
 }
 
+// Of a triangle so thin that which part of it is the closest would be decided by rounding.
+OnTriangle closest_on_sides(const Kernel::Triangle_3& t, const Point& p) {
+  OnTriangle nearest{t[0], 0};
+  for (int k = 0; k < 3; ++k) {
+    const Vector side = t[(k + 1) % 3] - t[k];
+    const Point point = t[k] + share(side * (p - t[k]), side * side) * side;
+    if ((p - point).squared_length() < (p - nearest.point).squared_length()) nearest = {point, 3 + k};
+  }
+  return nearest;
+}
+
+bool is_thin(const Kernel::Triangle_3& t) {
+  constexpr double thin = 1e-6;  // height over longest side
+  double longest = 0.0;          // squared
+  for (int k = 0; k < 3; ++k) longest = std::max(longest, (t[(k + 1) % 3] - t[k]).squared_length());
+  return !(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length() > thin * thin * longest * longest);
+}
+
 }  // namespace
 
 struct TriangleSurface::Tree {
   Triangles triangles;
   std::vector<std::array<Vector, 7>> pseudo_normal;  // per triangle and part of it (OnTriangle)
   std::vector<std::array<bool, 7>> border;           // the same layout: part of the border of an open surface
+  std::vector<bool> thin;                            // per triangle
   AabbTree tree;
+
+  [[nodiscard]] OnTriangle closest(int triangle, const Point& p) const {
+    return thin[triangle] ? closest_on_sides(triangles[triangle], p) : closest_on(triangles[triangle], p);
+  }
 };
 
 TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& where) : tree_(std::make_unique<Tree>()) {
@@ -80,6 +103,7 @@ TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& wh
     const Kernel::Triangle_3 triangle(points[t[0]], points[t[1]], points[t[2]]);
     if (!(triangle.squared_area() > 0.0)) continue;  // slivers without area lie on their neighbours
     tree_->triangles.push_back(triangle);
+    tree_->thin.push_back(is_thin(triangle));
     used.push_back(t);
   }
   if (used.empty()) throw InputError(where + ": the surface has no triangle with an area");
@@ -136,10 +160,11 @@ std::array<double, 3> TriangleSurface::face_normal(int triangle) const {
 
 SurfaceDistance TriangleSurface::distance(const std::array<double, 3>& point, int hint) const {
   const Point p(point[0], point[1], point[2]);
-  const auto guess = tree_->triangles.cbegin() + std::clamp(hint, 0, size() - 1);
-  const auto found = tree_->tree.closest_point_and_primitive(p, {closest_on(*guess, p).point, guess}).second;
-  const OnTriangle nearest = closest_on(*found, p);
-  const int triangle = static_cast<int>(found - tree_->triangles.cbegin());
+  const int guess = std::clamp(hint, 0, size() - 1);
+  const auto first = tree_->triangles.cbegin();
+  const auto found = tree_->tree.closest_point_and_primitive(p, {tree_->closest(guess, p).point, first + guess}).second;
+  const int triangle = static_cast<int>(found - first);
+  const OnTriangle nearest = tree_->closest(triangle, p);
   const Vector& pseudo = tree_->pseudo_normal[triangle][nearest.part];
   const Vector off = p - nearest.point;
   const double size = std::sqrt(off.squared_length());

@@ -281,7 +281,8 @@ TEST(TriangleTool, SliversAnswerWithNumbers) {
         const double there = surface.distance(p).distance;
         double least = HUGE_VAL;  // to the corners
         for (const auto& q : list.point) least = std::min(least, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
-        EXPECT_TRUE(std::isfinite(there) && std::abs(there) <= least + 1e-9) << width;
+        EXPECT_TRUE(std::isfinite(there) && std::abs(there) <= least + 1e-9)
+            << there << " where a corner is " << least << " away, width " << width;
       }
     }
   }
