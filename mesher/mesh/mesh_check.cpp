@@ -13,7 +13,6 @@ namespace weaveform {
 
 namespace {
 
-constexpr double none = -std::numeric_limits<double>::max();
 constexpr double above_zero = std::numeric_limits<double>::min();
 
 // The lattice is a box around its crossings, which a narrow blank on the bias fills badly; but not this badly.

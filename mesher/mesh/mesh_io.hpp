@@ -8,10 +8,14 @@
 
 namespace weaveform {
 
+struct VtuGrid;  // vtu_grid.hpp
+
 // Written to a temporary name and renamed, so whole or not at all. Throws FileError.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file);
 // Reads what write_mesh wrote, bit for bit. Throws FileError (unreadable) or InputError (not a Weaveform mesh: what is
 // missing).
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& file);
+// What it makes of the grid in the file, which messages name. Throws InputError.
+[[nodiscard]] Mesh mesh_of(const VtuGrid& grid, const std::filesystem::path& file);
 
 }  // namespace weaveform

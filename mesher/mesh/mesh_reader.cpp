@@ -189,7 +189,10 @@ VtuGrid read_grid(const std::filesystem::path& file) {
 }  // namespace
 
 Mesh read_mesh(const std::filesystem::path& file) {
-  const VtuGrid grid = read_grid(file);
+  return mesh_of(read_grid(file), file);
+}
+
+Mesh mesh_of(const VtuGrid& grid, const std::filesystem::path& file) {
   Wanted wanted{file, {}};
   Mesh mesh;
   const std::size_t yarns = count_yarns(wanted, grid);

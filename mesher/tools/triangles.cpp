@@ -32,6 +32,11 @@ double angle_between(const Vector& a, const Vector& b) {
   return std::atan2(std::sqrt(turn.squared_length()), a * b);
 }
 
+// In [0, 1], also where a sliver's sizes are lost in rounding and nothing is left of the whole.
+double share(double part, double whole) {
+  return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
+}
+
 // Closest point of a triangle and the part of it that holds it (Ericson 2005, "Real-Time Collision Detection", 5.1.5):
 // 0..2 vertex, 3..5 the edge from vertex part-3 to the next, 6 the face.
 struct OnTriangle {
@@ -49,13 +54,31 @@ OnTriangle closest_on(const Kernel::Triangle_3& t, const Point& p) {
   const double d5 = ab * cp, d6 = ac * cp;
   if (d6 >= 0.0 && d5 <= d6) return {c, 2};
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {a + d1 / (d1 - d3) * ab, 3};
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {a + share(d1, d1 - d3) * ab, 3};
   const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return {b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b), 4};
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return {b + share(d4 - d3, (d4 - d3) + (d5 - d6)) * (c - b), 4};
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {a + d2 / (d2 - d6) * ac, 5};
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {a + share(d2, d2 - d6) * ac, 5};
   const double sum = va + vb + vc;
-  return {a + (vb / sum) * ab + (vc / sum) * ac, 6};
+  return {a + share(vb, sum) * ab + share(vc, sum) * ac, 6};
+}
+
+// Of a triangle so thin that which part of it is the closest would be decided by rounding.
+OnTriangle closest_on_sides(const Kernel::Triangle_3& t, const Point& p) {
+  OnTriangle nearest{t[0], 0};
+  for (int k = 0; k < 3; ++k) {
+    const Vector side = t[(k + 1) % 3] - t[k];
+    const Point point = t[k] + share(side * (p - t[k]), side * side) * side;
+    if ((p - point).squared_length() < (p - nearest.point).squared_length()) nearest = {point, 3 + k};
+  }
+  return nearest;
+}
+
+bool is_thin(const Kernel::Triangle_3& t) {
+  constexpr double thin = 1e-6;  // height over longest side
+  double longest = 0.0;          // squared
+  for (int k = 0; k < 3; ++k) longest = std::max(longest, (t[(k + 1) % 3] - t[k]).squared_length());
+  return !(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length() > thin * thin * longest * longest);
 }
 
 }  // namespace
@@ -64,7 +87,12 @@ struct TriangleSurface::Tree {
   Triangles triangles;
   std::vector<std::array<Vector, 7>> pseudo_normal;  // per triangle and part of it (OnTriangle)
   std::vector<std::array<bool, 7>> border;           // the same layout: part of the border of an open surface
+  std::vector<bool> thin;                            // per triangle
   AabbTree tree;
+
+  [[nodiscard]] OnTriangle closest(int triangle, const Point& p) const {
+    return thin[triangle] ? closest_on_sides(triangles[triangle], p) : closest_on(triangles[triangle], p);
+  }
 };
 
 TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& where) : tree_(std::make_unique<Tree>()) {
@@ -75,6 +103,7 @@ TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& wh
     const Kernel::Triangle_3 triangle(points[t[0]], points[t[1]], points[t[2]]);
     if (!(triangle.squared_area() > 0.0)) continue;  // slivers without area lie on their neighbours
     tree_->triangles.push_back(triangle);
+    tree_->thin.push_back(is_thin(triangle));
     used.push_back(t);
   }
   if (used.empty()) throw InputError(where + ": the surface has no triangle with an area");
@@ -131,10 +160,11 @@ std::array<double, 3> TriangleSurface::face_normal(int triangle) const {
 
 SurfaceDistance TriangleSurface::distance(const std::array<double, 3>& point, int hint) const {
   const Point p(point[0], point[1], point[2]);
-  const auto guess = tree_->triangles.cbegin() + std::clamp(hint, 0, size() - 1);
-  const auto found = tree_->tree.closest_point_and_primitive(p, {closest_on(*guess, p).point, guess}).second;
-  const OnTriangle nearest = closest_on(*found, p);
-  const int triangle = static_cast<int>(found - tree_->triangles.cbegin());
+  const int guess = std::clamp(hint, 0, size() - 1);
+  const auto first = tree_->triangles.cbegin();
+  const auto found = tree_->tree.closest_point_and_primitive(p, {tree_->closest(guess, p).point, first + guess}).second;
+  const int triangle = static_cast<int>(found - first);
+  const OnTriangle nearest = tree_->closest(triangle, p);
   const Vector& pseudo = tree_->pseudo_normal[triangle][nearest.part];
   const Vector off = p - nearest.point;
   const double size = std::sqrt(off.squared_length());

@@ -179,6 +179,7 @@ PointTable open_point_table(const std::filesystem::path& file, const TableHints&
     const bool comment = is_comment(line);
     while (!line.empty() && (line.front() == '#' || blank(line.front()))) line.remove_prefix(1);
     for (const char delimiter : delimiters_of(hints)) {
+      if (line.find(delimiter) == line.npos) continue;  // points have more than one column
       auto cells = split_cells(line, delimiter);
       const bool row = hints.columns > 0 && !comment && all_numbers(cells, hints.columns);
       if (!row && !(hints.columns == 0 && is_heading(cells))) continue;

@@ -35,6 +35,10 @@ public:
       bytes_.append(reinterpret_cast<const char*>(values.data()), count * sizeof(values[0]));
   }
   void text(const char* what, const std::string& value) { list(what, value, 0, longest_text); }
+  void flag(bool value) {
+    std::uint8_t byte = value ? 1 : 0;
+    number(byte);
+  }
   std::string& bytes() { return bytes_; }
 
 private:
@@ -66,6 +70,12 @@ public:
     }
   }
   void text(const char* what, std::string& value) { list(what, value, 0, longest_text); }
+  void flag(bool& value) {
+    std::uint8_t byte = 0;
+    number(byte);
+    if (byte > 1) throw_damaged_checkpoint(name_, "a flag that is neither set nor not");
+    value = byte == 1;
+  }
   [[nodiscard]] std::size_t left() const { return left_.size(); }
 
 private:
@@ -140,14 +150,6 @@ void transfer(Archive& archive, C& c, const CheckpointSizes& size) {
   archive.list("impulses", c.window.impulse, size.impulses, size.impulses);
 }
 
-// As a byte, for a bool that is neither is none.
-template <class Archive, class Flag>
-void transfer_flag(Archive& archive, Flag& flag) {
-  std::uint8_t byte = flag ? 1 : 0;
-  archive.number(byte);
-  if constexpr (!std::is_const_v<Flag>) flag = byte != 0;
-}
-
 template <class Archive, class Items>
 void transfer_identity(Archive& archive, Items& identity) {
   constexpr std::size_t most_items = 1 << 16;
@@ -155,7 +157,7 @@ void transfer_identity(Archive& archive, Items& identity) {
   for (auto& item : identity) {
     archive.text("a name", item.name);
     archive.text("a value", item.value);
-    transfer_flag(archive, item.content);
+    archive.flag(item.content);
   }
 }
 

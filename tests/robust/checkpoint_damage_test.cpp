@@ -121,6 +121,14 @@ TEST(DamagedCheckpoint, IsRefusedForWhatCannotBe) {
   refused([](Checkpoint& c) { c.fabric.clear(); });
 }
 
+// Found by fuzzing: it was taken as set.
+TEST(DamagedCheckpoint, WithAFlagThatIsNeitherSetNorNotIsRefused) {
+  std::string bytes = checkpoint_bytes(small(), identity);
+  const std::string value = "[1, 2]";
+  bytes.at(bytes.find(value) + value.size()) = '\x02';
+  EXPECT_THROW((void)read(bytes, CheckSum::ignored), FileError);
+}
+
 TEST(Checkpoint, OfAnotherRunIsRefusedByTheNameOfWhatDiffers) {
   const std::string bytes = checkpoint_bytes(small(), {{"blank.size", "[1, 3]"}, {"card twintex-pw", "00fe", true}});
   try {

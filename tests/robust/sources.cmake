@@ -6,6 +6,10 @@ set(ROBUST_SOURCES
   robust/exit_codes_test.cpp
   robust/fuzz_corpus_test.cpp
   fuzz/targets.cpp
+  fuzz/scene_targets.cpp
+  fuzz/table_targets.cpp
+  fuzz/geometry_targets.cpp
+  fuzz/result_targets.cpp
   robust/include_direction_test.cpp
   robust/interrupted_test.cpp
   robust/nobody_let_in_test.cpp

@@ -269,6 +269,25 @@ TEST(TriangleTool, InsideAndOutsideAreToldApartAtCornersAndEdges) {
     }
 }
 
+// Sides of which squares or differences are lost beside the distance (found by fuzzing).
+TEST(TriangleTool, SliversAnswerWithNumbers) {
+  for (const double width : {1e-6, 1e-12, 1e-19, 1e-41}) {
+    const std::vector<TriangleList> slivers = {{{{0, 1, 0}, {0, width, 0}, {width, 0, width}}, {{0, 1, 2}}},
+                                               {{{0, 0, 0}, {width, 0, 0}, {0, width, 0}}, {{0, 1, 2}}},
+                                               {{{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}}, {{0, 1, 2}}}};
+    for (const TriangleList& list : slivers) {
+      const TriangleSurface surface(list, "test");
+      for (const Vec3& p : {Vec3{1, 0, -0.5}, Vec3{1, 1, -0.5}, Vec3{0.5, 2, 1}, Vec3{-1, 0, 0}, Vec3{0.3, 0.3, 0.3}}) {
+        const double there = surface.distance(p).distance;
+        double least = HUGE_VAL;  // to the corners
+        for (const auto& q : list.point) least = std::min(least, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+        EXPECT_TRUE(std::isfinite(there) && std::abs(there) <= least + 1e-9)
+            << there << " where a corner is " << least << " away, width " << width;
+      }
+    }
+  }
+}
+
 TEST(TriangleTool, SurfacesTurnedAgainstEachOtherAreRefused) {
   TriangleList list = faceted_sphere(10.0, 4);
   std::swap(list.triangle[3][0], list.triangle[3][1]);

@@ -1,0 +1,52 @@
+#include <string>
+
+#include "mesher/material/identify/raw_table.hpp"
+#include "mesher/outline/loops.hpp"
+#include "post/dic_settings/settings.hpp"
+#include "post/measurement/measurement.hpp"
+#include "tests/fuzz/rooms.hpp"
+#include "tests/fuzz/scratch_file.hpp"
+
+namespace weaveform::fuzz {
+namespace {
+
+void table(std::string_view bytes) {
+  answered([&] {
+    const auto read = identify::read_raw_table(text_of(bytes), "table.csv", {});
+    for (std::size_t column = 0; !read.cells.empty() && column < read.cells.front().size(); ++column)
+      answered([&] { static_cast<void>(identify::numbers_of(read, column)); });
+  });
+}
+
+void outline(std::string_view bytes) {
+  const ScratchFile file("outline.csv", bytes);
+  answered([&] {
+    std::vector<std::string> complaints;
+    auto loops = read_outline_csv(file.path().string(), complaints);
+    static_cast<void>(sound_loops(std::move(loops), "outline.csv", complaints));
+  });
+}
+
+// To the questions that a file may leave open: none, those of a known format, those of any table.
+const std::vector<dic::MeasurementSpec>& answers() {
+  const auto told = [](const std::vector<std::string>& keys) { return dic::read_settings("", keys).measurement; };
+  static const std::vector<dic::MeasurementSpec> all = {
+      {},
+      told({"measurement.length_unit=mm", "measurement.pixel_size=0.1", "measurement.y_axis=down"}),
+      told({"measurement.format=columns", "measurement.length_unit=mm", "measurement.y_axis=up", "measurement.x=\"1\"",
+            "measurement.y=\"2\"", "measurement.u=\"3\"", "measurement.v=\"4\""})};
+  return all;
+}
+
+void measurement(std::string_view bytes) {
+  const ScratchFile file("stage_0001.csv", bytes);
+  for (const auto& told : answers()) answered([&] { static_cast<void>(dic::read_stages(file.path(), told)); });
+}
+
+}  // namespace
+
+std::vector<Target> table_targets() {
+  return {{"table", table}, {"outline", outline}, {"measurement", measurement}};
+}
+
+}  // namespace weaveform::fuzz
