@@ -9,6 +9,13 @@ if(WEAVEFORM_FUZZ)
   target_compile_options(weaveform_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(weaveform_options INTERFACE -fsanitize=address,undefined)
 endif()
+# A program's templates are its own. Libraries that use the same ones (Gmsh has Eigen in it) would otherwise be bound to
+# those of the program, which are compiled with other options: with the address sanitizer, or for a machine with wider
+# vectors, Eigen then frees what it did not allocate. Not with clang's sanitizers, which must be seen by the libraries.
+if(NOT WEAVEFORM_FUZZ)
+  target_link_options(weaveform_options INTERFACE
+    $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/own_symbols.map>)
+endif()
 if(WEAVEFORM_COVERAGE)
   target_compile_options(weaveform_options INTERFACE --coverage)
   target_link_options(weaveform_options INTERFACE --coverage)

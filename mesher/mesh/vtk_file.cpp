@@ -1,6 +1,7 @@
 #include "mesher/mesh/vtk_file.hpp"
 
 #include <vtkErrorCode.h>
+#include <vtkSMPTools.h>
 #include <vtkXMLWriter.h>
 
 #include <cerrno>
@@ -11,8 +12,14 @@
 
 namespace weaveform {
 
+void keep_vtk_in_one_thread() {
+  static const bool set = vtkSMPTools::SetBackend("Sequential");
+  static_cast<void>(set);
+}
+
 void write_vtk_whole(const std::filesystem::path& file, vtkXMLWriter& writer) {
   write_whole(file, [&](const std::filesystem::path& temporary) {
+    keep_vtk_in_one_thread();
     const VtkMessages kept_off_the_terminal;
     writer.SetDataModeToAppended();
     writer.EncodeAppendedDataOff();

@@ -7,6 +7,10 @@ class vtkXMLWriter;
 
 namespace weaveform {
 
+// From here on VTK starts no threads: a process that has some must not be forked for a guarded reading (guarded.hpp),
+// for what they hold at that moment, such as a lock of the memory's allocator, nobody releases in the child.
+void keep_vtk_in_one_thread();
+
 // Runs a VTK XML writer (its input already set) as appended raw binary. Throws FileError, with VTK's own messages kept
 // off the terminal.
 void write_vtk_whole(const std::filesystem::path& file, vtkXMLWriter& writer);

@@ -20,6 +20,7 @@
 #include "mesher/base/files.hpp"
 #include "mesher/base/guarded.hpp"
 #include "mesher/mesh/mesh_format.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
 
@@ -125,6 +126,7 @@ std::string read_with_vtk(const std::filesystem::path& file, const VtuSelection&
 
 VtuGrid read_vtu(const std::filesystem::path& file, const VtuSelection& selection, const std::string& remedy) {
   require_regular_file(file);
+  keep_vtk_in_one_thread();
   const auto unreadable = [&](const std::string& what) {
     return FileError(fmt::format("{}: not a readable .vtu file ({}); {}", file.string(), what, remedy));
   };

@@ -59,7 +59,7 @@ TEST(Guarded, ACrashIsALineThatNamesFileAndSignal) {
 TEST(Guarded, WhatNeverEndsIsEndedWhetherItComputesOrSleeps) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string computing = complaint_of(quick(), []() -> std::string {
-    volatile int k = 0;
+    volatile unsigned k = 0;
     while (true) k = k + 1;
   });
   EXPECT_NE(computing.find("took longer than 1 s"), std::string::npos) << computing;
@@ -73,7 +73,7 @@ TEST(Guarded, WhatNeverEndsIsEndedWhetherItComputesOrSleeps) {
   reading.seconds = 30.0;
   reading.reading_seconds = 1.0;
   const std::string in_the_reader = complaint_of(reading, []() -> std::string {
-    volatile int k = 0;
+    volatile unsigned k = 0;
     while (true) k = k + 1;
   });
   EXPECT_NE(in_the_reader.find("took longer than 1 s"), std::string::npos) << in_the_reader;

@@ -61,8 +61,10 @@ TEST(SceneComplaint, WrongTypesPointAtTheValue) {
 }
 
 TEST(SceneComplaint, ValuesOutOfRangeShowTheRange) {
-  EXPECT_EQ(complaint_of("[analysis]\nstep_factor = 5\n"), "s.toml:2:15: 'step_factor' is 5; it must be >= 0.0001 and <= 4");
-  EXPECT_EQ(complaint_of("[analysis]\nstep_factor = 0\n"), "s.toml:2:15: 'step_factor' is 0; it must be >= 0.0001 and <= 4");
+  EXPECT_EQ(complaint_of("[analysis]\nstep_factor = 5\n"),
+            "s.toml:2:15: 'step_factor' is 5; it must be >= 0.0001 and <= 4");
+  EXPECT_EQ(complaint_of("[analysis]\nstep_factor = 0\n"),
+            "s.toml:2:15: 'step_factor' is 0; it must be >= 0.0001 and <= 4");
   EXPECT_EQ(complaint_of("[blank]\nsize = [1, -2]\n"), "s.toml:2:12: 'size' is -2; it must be > 0 and <= 100000 mm");
   EXPECT_EQ(complaint_of("[blank]\ncoarsening = 0.01\n"),
             "s.toml:2:14: 'coarsening' is 0.01; it must be >= 0.05 and <= 100");

@@ -17,6 +17,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/mesh_io.hpp"
+#include "mesher/mesh/vtk_file.hpp"
 #include "mesher/scene/reader.hpp"
 #include "tests/support/mutations.hpp"
 #include "tests/support/run_command.hpp"
@@ -64,6 +65,7 @@ void write_foreign(const fs::path& file, Encoding encoding) {
 
 TEST(VtuGrid, EveryEncodingReadsTheSame) {
   const test::TemporaryFolder folder;
+  keep_vtk_in_one_thread();
   for (const Encoding encoding : encodings) {
     write_foreign(folder.path() / "x.vtu", encoding);
     const VtuGrid grid = read_vtu(folder.path() / "x.vtu", std::nullopt, "mend it");
