@@ -1,10 +1,10 @@
 #include "mesher/mesh/vtk_file.hpp"
 
 #include <vtkErrorCode.h>
-#include <vtkSMPTools.h>
 #include <vtkXMLWriter.h>
 
 #include <cerrno>
+#include <cstdlib>
 
 #include "mesher/base/files.hpp"
 #include "mesher/mesh/mesh_format.hpp"
@@ -13,8 +13,8 @@
 namespace weaveform {
 
 void keep_vtk_in_one_thread() {
-  static const bool set = vtkSMPTools::SetBackend("Sequential");
-  static_cast<void>(set);
+  // VTK 9.1 looks once, when it first divides work; its header for the same call is no C++20
+  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
 }
 
 void write_vtk_whole(const std::filesystem::path& file, vtkXMLWriter& writer) {
