@@ -30,6 +30,13 @@ Row row_of(const std::string& table, const std::string& factor) {
   return {};
 }
 
+// The trial that steps are taken from is the finest level of a few seconds; a sanitizer's is a coarser one.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double steps_within = 0.15;
+#else
+constexpr double steps_within = 0.04;
+#endif
+
 class Plan : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(Plan, SaysCellsExactlyAndStepsAndTimeClosely) {
@@ -46,7 +53,7 @@ TEST_P(Plan, SaysCellsExactlyAndStepsAndTimeClosely) {
   EXPECT_EQ(row.cells, summary["cells"].get<double>());
   EXPECT_EQ(row.solved, summary["cells_solved"].get<double>());
   // the trial is a level of the same scene: how much shear shortens the step differs by a percent or two
-  EXPECT_NEAR(row.steps / summary["steps"].get<double>(), 1.0, 0.04);
+  EXPECT_NEAR(row.steps / summary["steps"].get<double>(), 1.0, steps_within);
   // 1.5 on an idle machine (docs/meshing.md); tests may run side by side
   const double ratio = row.seconds / summary["wall_s"].get<double>();
   EXPECT_GT(ratio, 1.0 / 3.0);

@@ -182,7 +182,7 @@ disk_full() {
   local k
   for ((k = 0; k < tries; k++)); do
     rm -rf "$work/f"
-    (ulimit -f $((RANDOM % 64 + 1)) && weave run "$here/tiny.toml" -o "$work/f" -q)
+    (ulimit -f $((RANDOM % 20 + 1)) && weave run "$here/tiny.toml" -o "$work/f" -q)
     ended $?
     find "$work/f" -name '*.vtu' -size -1 | grep -q . && wrong "an empty result"
   done
@@ -193,7 +193,7 @@ no_memory() {
   begin "no more memory than N MB" "the run"
   local k
   for ((k = 0; k < tries; k++)); do
-    (ulimit -v $((RANDOM * 20 + 300000)) && weave run "$here/tiny.toml" -o "$work/m$k" -q)
+    (ulimit -v $((RANDOM * 8 + 150000)) && weave run "$here/tiny.toml" -o "$work/m$k" -q)
     # below what its libraries take, the system's loader ends a program (127)
     local status=$?
     if ((status == 127)); then count "does not start"; else ended $status; fi
