@@ -8,7 +8,7 @@ const std::vector<Vec3>& flat_positions(const Mesh& mesh) {
   return mesh.flat_positions();
 }
 
-SurfacePoint between(const SurfacePoint& from, const SurfacePoint& to, double t) {
+FabricPoint between(const FabricPoint& from, const FabricPoint& to, double t) {
   return {from.place + t * (to.place - from.place), from.flat + t * (to.flat - from.flat),
           from.angle + t * (to.angle - from.angle)};
 }
@@ -23,7 +23,7 @@ FabricSurface make_surface(const Mesh& mesh, const std::vector<Vec3>& position,
   for (int c = 0; c < mesh.cells.size(); ++c) {
     const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
     const int centre_number = static_cast<int>(surface.point.size());
-    SurfacePoint centre{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), shear_angle[c]};
+    FabricPoint centre{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), shear_angle[c]};
     for (int a = begin; a < end; ++a) {
       const int n = mesh.cells.node[a];
       centre.place += surface.point[n].place / (end - begin);
@@ -39,18 +39,18 @@ FabricSurface make_surface(const Mesh& mesh, const std::vector<Vec3>& position,
   return surface;
 }
 
-std::optional<SurfacePoint> pole_of(const FabricSurface& surface, const PartAxis& axis) {
+std::optional<FabricPoint> pole_of(const FabricSurface& surface, const PartAxis& axis) {
   const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
   for (const auto& [i, j, k] : surface.triangle) {
-    const SurfacePoint &a = surface.point[i], &b = surface.point[j], &c = surface.point[k];
+    const FabricPoint &a = surface.point[i], &b = surface.point[j], &c = surface.point[k];
     const Eigen::Vector2d pa = axis.across(a.place), pb = axis.across(b.place), pc = axis.across(c.place);
     const double area = cross(pb - pa, pc - pa);
     if (area == 0.0) continue;
     // barycentric coordinates of the axis; a hair outside still counts, so that none falls between two triangles
     const double wa = cross(pb, pc) / area, wb = cross(pc, pa) / area, wc = 1.0 - wa - wb;
     if (std::min({wa, wb, wc}) < -1e-9) continue;
-    return SurfacePoint{wa * a.place + wb * b.place + wc * c.place, wa * a.flat + wb * b.flat + wc * c.flat,
-                        wa * a.angle + wb * b.angle + wc * c.angle};
+    return FabricPoint{wa * a.place + wb * b.place + wc * c.place, wa * a.flat + wb * b.flat + wc * c.flat,
+                       wa * a.angle + wb * b.angle + wc * c.angle};
   }
   return {};
 }

@@ -12,7 +12,7 @@
 
 namespace weaveform {
 
-struct SurfacePoint {
+struct FabricPoint {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  // mm
   Eigen::Vector3d flat = Eigen::Vector3d::Zero();   // mm; the same material point on the flat blank
   double angle = 0.0;                               // rad; shear angle
@@ -21,7 +21,7 @@ struct SurfacePoint {
 // Each cell is a fan of triangles around its centre. The centre has the cell's angle, a node the mean of the cells
 // around it, weighted with their area: second order inside, first order on the fabric's edge.
 struct FabricSurface {
-  std::vector<SurfacePoint> point;           // nodes, then cell centres
+  std::vector<FabricPoint> point;            // nodes, then cell centres
   std::vector<std::array<int, 3>> triangle;  // counter-clockwise seen from the flat blank's upper side
 };
 
@@ -32,10 +32,10 @@ struct FabricSurface {
 [[nodiscard]] const std::vector<Vec3>& flat_positions(const Mesh& mesh);
 
 // Part `t` of the way from one point to another, every component linear.
-[[nodiscard]] SurfacePoint between(const SurfacePoint& from, const SurfacePoint& to, double t);
+[[nodiscard]] FabricPoint between(const FabricPoint& from, const FabricPoint& to, double t);
 
 // Where the axis passes through the fabric: in the first triangle that holds it; none when it misses.
-[[nodiscard]] std::optional<SurfacePoint> pole_of(const FabricSurface& surface, const PartAxis& axis);
+[[nodiscard]] std::optional<FabricPoint> pole_of(const FabricSurface& surface, const PartAxis& axis);
 
 [[nodiscard]] inline Eigen::Vector3d vector_of(const Vec3& a) {
   return {a[0], a[1], a[2]};

@@ -14,7 +14,7 @@ using Edge = std::pair<int, int>;  // points, rising
 
 // The cut as a graph: crossed edges of the surface, joined in twos by the triangles.
 struct Cut {
-  std::vector<SurfacePoint> point;
+  std::vector<FabricPoint> point;
   std::vector<std::vector<int>> next;  // one neighbour on the fabric's edge, two inside
 };
 
@@ -95,7 +95,7 @@ std::vector<MeridianPoint> meridian(const FabricSurface& surface, const PartAxis
   const Start start = find_start(cut, along);
   if (start.ahead < 0) return {};
 
-  std::vector<SurfacePoint> passed;
+  std::vector<FabricPoint> passed;
   if (start.behind >= 0) {
     const double a = along[start.behind], b = along[start.ahead];
     passed.push_back(between(cut.point[start.behind], cut.point[start.ahead], a / (a - b)));

@@ -49,7 +49,7 @@ double asymmetry(const UnitCellStudy& study) {
   return greatest;
 }
 
-std::string convergence_table(const Convergence& study) {
+std::string convergence_table(const UnitCellConvergence& study) {
   std::string text = fmt::format(
       "\n### {}, {:.4g} deg\n\nclosed form {:.9f}, extrapolated {:.9f}\n\n"
       "| increments | returned/analytical | distance from closed form | order |\n|---:|---:|---:|---:|\n",

@@ -80,10 +80,10 @@ double ratio_at_end(const Card& card, const UnitCellVariant& variant, const Unit
   return points.back().force / analytical_shear_force(card, motion.angle);
 }
 
-Convergence converge(const Card& card, const UnitCellVariant& variant, double angle) {
+UnitCellConvergence converge(const Card& card, const UnitCellVariant& variant, double angle) {
   constexpr int coarsest = 10, halvings = 7;  // 10, 20, ... 1280 increments
   constexpr double rounding = 1e-11;          // below it a distance says nothing of the order
-  Convergence result{
+  UnitCellConvergence result{
       variant, angle, closed_form_ratio(card.shear, variant.formulation, variant.thickness, angle), 0.0, {}};
   for (int k = 0; k <= halvings; ++k) {
     ConvergenceRow row;

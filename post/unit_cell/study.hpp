@@ -50,7 +50,7 @@ struct ConvergenceRow {
   double distance = 0.0;  // |ratio - closed form|
   double order = 0.0;     // log2 of the last distance over this one; NaN in the first row or at rounding
 };
-struct Convergence {
+struct UnitCellConvergence {
   UnitCellVariant variant;
   double angle = 0.0;         // rad
   double closed_form = 0.0;   // ratio
@@ -75,8 +75,8 @@ struct UnitCellStudy {
   std::vector<double> angle;       // rad; rising from -to over 0 to +to, 2 increments + 1 of them
   std::vector<double> analytical;  // N/mm
   std::vector<UnitCellCurve> curve;
-  std::vector<Convergence> convergence;  // of the formulations that count in increments
-  std::vector<RotationCost> rotation;    // of the same
+  std::vector<UnitCellConvergence> convergence;  // of the formulations that count in increments
+  std::vector<RotationCost> rotation;            // of the same
 };
 
 inline constexpr double unit_cell_tolerance = 0.05;  // 1; "stays within 5 %"

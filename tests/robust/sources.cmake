@@ -19,5 +19,6 @@ set(ROBUST_SOURCES
   robust/result_folder_test.cpp
   robust/streams_and_limits_test.cpp
   robust/study_test.cpp
+  robust/type_names_test.cpp
   robust/without_end_test.cpp
 )
