@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/process.hpp"
+#include "app/usage.hpp"
 #include "app/version.hpp"
 #include "mesher/base/error.hpp"
 
@@ -18,7 +19,7 @@ constexpr const char* description =
 
 int run_command(int argc, char** argv) {
   CLI::App program(description, "weaveform");
-  program.set_version_flag("--version", weaveform::version_line());
+  program.set_version_flag("-V,--version", weaveform::version_line());
   program.require_subcommand(1);
   weaveform::add_run_command(program);
   weaveform::add_mesh_command(program);
@@ -34,6 +35,7 @@ int run_command(int argc, char** argv) {
   weaveform::add_export_command(program);
   weaveform::add_import_command(program);
   weaveform::add_keys_command(program);
+  weaveform::add_help_command(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -44,8 +46,7 @@ int run_command(int argc, char** argv) {
       weaveform::print_answer(answer.str());
       return code;
     }
-    throw weaveform::InputError(std::string(error.what()) +
-                                "; 'weaveform --help' and 'weaveform COMMAND --help' tell more");
+    throw weaveform::InputError(weaveform::usage_complaint(program, error, argc, argv));
   }
   return EXIT_SUCCESS;
 }

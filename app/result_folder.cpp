@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "app/version.hpp"
@@ -26,6 +27,7 @@ constexpr std::array post_files = {"contours.vtp",   "summary.json",  "meridians
                                    "outline.csv",    "outline.vtp",   "wrinkles.vtp",  "punch_force.svg",
                                    "sphere_net.csv", "sphere_net.svg"};
 constexpr std::array other_files = {"drape.vtu", "drape.json", "flat_pattern.csv", "accuracy.md"};
+constexpr const char* scene_name_mark = "# Scene: ";
 constexpr const char* frame_names = "frames/frame_[0-9][0-9][0-9][0-9]*.vtu";
 
 bool is_frame(const std::string& name) {
@@ -96,8 +98,19 @@ void remove_results(const fs::path& directory) {
 }
 
 void write_scene_copy(const Scene& scene, const fs::path& directory) {
-  write_text_whole(directory / "scene.toml",
-                   fmt::format("# {}: {}\n{}", written_mark, version_line(), scene_to_toml(scene)));
+  // quoted, so that no name ends the comment
+  const std::string name = nlohmann::json(scene.file).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  write_text_whole(directory / "scene.toml", fmt::format("# {}: {}\n{}{}\n{}", written_mark, version_line(),
+                                                         scene_name_mark, name, scene_to_toml(scene)));
+}
+
+std::string scene_name_of(const fs::path& directory) {
+  const std::string text = read_text_file(directory / "scene.toml");
+  const auto begin = text.find(scene_name_mark);
+  if (begin == std::string::npos) return "";
+  const auto name = begin + std::string_view(scene_name_mark).size();
+  const auto found = nlohmann::json::parse(text.substr(name, text.find('\n', name) - name), nullptr, false);
+  return found.is_string() ? found.get<std::string>() : "";
 }
 
 void require_file(const fs::path& directory, const std::string& name, const std::string& made_by) {

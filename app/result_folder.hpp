@@ -30,8 +30,12 @@ void clear_folder(const std::filesystem::path& directory);
 // results.
 void remove_results(const std::filesystem::path& directory);
 
-// DIR/scene.toml: every key with its value, under a line that names the program; written whole or not at all.
+// DIR/scene.toml: every key with its value, under lines that name the program and the scene's own file; written whole
+// or not at all.
 void write_scene_copy(const Scene& scene, const std::filesystem::path& directory);
+
+// The file that the folder's scene was read from; "" where its copy does not say.
+[[nodiscard]] std::string scene_name_of(const std::filesystem::path& directory);
 
 // Throws FileError unless DIR/NAME is there, saying which command makes it.
 void require_file(const std::filesystem::path& directory, const std::string& name, const std::string& made_by);

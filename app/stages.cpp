@@ -73,9 +73,13 @@ std::string describe(const Model& model) {
   return line;
 }
 
-void log_start(const std::string& command, const Scene& scene) {
+void log_start(const std::string& command, const Scene& scene, bool verbose) {
   log_line(fmt::format("{}: {} {}", version_line(), command, scene.file));
-  log_line(scene_to_toml(scene));
+  if (verbose) log_line(scene_to_toml(scene));
+}
+
+void log_end(const fs::path& directory, const std::string& what_to_open) {
+  log_line(fmt::format("written to {}: {}", directory.string(), what_to_open));
 }
 
 void write_model(const Model& model, const fs::path& directory) {
@@ -120,6 +124,7 @@ void solve_folder(const fs::path& directory, const SolveOptions& options, bool y
   if (!options.quiet) log_line(describe(find_symmetry(scene, card, mesh)));
   SolveOptions how = options;
   how.program = version_line();
+  how.scene_name = scene_name_of(directory);
   if (how.resume && !has_checkpoint(directory)) {
     const bool finished = is_finished(directory);
     if (!options.quiet)

@@ -39,8 +39,11 @@ std::string require_room(const Model& model, const std::filesystem::path& direct
 // lattice was fitted to the grips.
 [[nodiscard]] std::string describe(const Model& model);
 
-// Logs program, command and every value of the scene, so that the log alone can be run again.
-void log_start(const std::string& command, const Scene& scene);
+// Logs program and command; with `verbose` every value of the scene too, so that the log alone can be run again.
+void log_start(const std::string& command, const Scene& scene, bool verbose);
+
+// Says where the command's files are, and which of them to open next.
+void log_end(const std::filesystem::path& directory, const std::string& what_to_open);
 
 // The folder's own scene.
 [[nodiscard]] Scene scene_of(const std::filesystem::path& directory);

@@ -19,6 +19,7 @@ struct SolveOptions {
   long most_steps = 0;                         // stop there, for a trial; 0: run to the end
   long stop_at_step = 0;                       // stop there as if interrupted, with a checkpoint; 0: never
   std::string program = {};                    // version line, kept in checkpoint and statistics
+  std::string scene_name = {};                 // file that the run was given, kept in the statistics
   std::filesystem::path checkpoint_file = {};  // none: DIR/checkpoint.bin, or no checkpoint where DIR is empty
 };
 

@@ -2,6 +2,10 @@
 // loads.
 #include "mesher/base/chart.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
@@ -9,6 +13,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/output_folder.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
 #include "mesher/base/toml_document.hpp"
 #include "mesher/material/identify/raw_table.hpp"
@@ -29,7 +34,19 @@ struct ChartArguments {
   bool force = false;
 };
 
+// Before any file is read: a chart of another kind under this name would open in nothing.
+bool is_page(const std::filesystem::path& output) {
+  std::string ending = output.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending == ".html" || ending == ".htm") return true;
+  if (ending == ".svg") return false;
+  throw InputError(
+      fmt::format("{}: a chart is written as .svg or .html; give --output one of these endings", output.string()));
+}
+
 void draw(const ChartArguments& arguments) {
+  const std::filesystem::path output = arguments.output;
+  const bool page = is_page(output);
   const auto scale = [](bool logarithmic) { return logarithmic ? AxisScale::logarithmic : AxisScale::linear; };
   Chart chart;
   chart.title = arguments.title;
@@ -48,10 +65,9 @@ void draw(const ChartArguments& arguments) {
   }
   // The chart is all that is asked for, so that no gnuplot is an error here; and an older chart must not pass for this
   // one.
-  const std::filesystem::path output = arguments.output;
   require_writable(output, {arguments.files.begin(), arguments.files.end()}, arguments.force);
   std::filesystem::remove(output);
-  write_text_whole(output, output.extension() == ".html" ? to_html(chart.title, {chart}) : to_svg(chart));
+  write_text_whole(output, page ? to_html(chart.title, {chart}) : to_svg(chart));
 }
 
 }  // namespace

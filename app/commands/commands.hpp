@@ -25,6 +25,7 @@ void add_import_command(CLI::App& program);
 void add_keys_command(CLI::App& program);
 void add_tool_command(CLI::App& program);
 void add_unit_cell_command(CLI::App& program);
+void add_help_command(CLI::App& program);
 void add_study_command(CLI::App& program);
 
 // Options that several commands share, worded once.
@@ -70,6 +71,10 @@ inline void add_folder_argument(CLI::App& command, std::string& directory) {
 
 inline void add_quiet_argument(CLI::App& command, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Print nothing but warnings and errors");
+}
+
+inline void add_verbose_argument(CLI::App& command, bool& verbose) {
+  command.add_flag("-v,--verbose", verbose, "Print the complete scene first, with every default")->excludes("--quiet");
 }
 
 inline void add_force_argument(CLI::App& command, bool& force) {

@@ -67,7 +67,7 @@ void run_compare(const DicArguments& arguments) {
   const OutputFolder folder(
       claim_of(arguments, output, inputs,
                {"stages.csv", "lines.csv", "loads.csv", "loads.svg", "angles.svg", "comparison.json", "stage_*"}));
-  if (!arguments.quiet) log_warning(folder.trouble());
+  log_warning(folder.trouble());
   const auto comparison = dic::compare(arguments.result, arguments.measurement, settings, output);
   if (arguments.quiet) return;
   print_answer(dic::verdict_table(comparison));
@@ -81,7 +81,7 @@ void run_virtual(const DicArguments& arguments) {
       arguments.output.empty() ? fs::path(arguments.result) / "virtual" : fs::path(arguments.output);
   const OutputFolder folder(
       claim_of(arguments, output, files_read(arguments, settings), {"stages/stage_*", "loads.csv", "settings.toml"}));
-  if (!arguments.quiet) log_warning(folder.trouble());
+  log_warning(folder.trouble());
   const auto made = dic::export_virtual(arguments.result, arguments.format, settings, output);
   if (arguments.quiet) return;
   log_line(fmt::format("{} stages of {} points: {}; what they need to be read: {}", made.files.size(), made.points,

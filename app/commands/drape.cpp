@@ -21,7 +21,7 @@ namespace {
 struct DrapeArguments {
   SceneArguments scene;
   std::string output;
-  bool quiet = false;
+  bool quiet = false, verbose = false;
 };
 
 void make_drape(const DrapeArguments& arguments) {
@@ -32,14 +32,16 @@ void make_drape(const DrapeArguments& arguments) {
   const Mesh mesh = build_flat_mesh(scene, card);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
-  if (!arguments.quiet) log_start("drape", scene);
+  if (!arguments.quiet) log_start("drape", scene, arguments.verbose);
   const OutputFolder folder(result_claim(directory, scene));
   log_warning(folder.trouble());
   const Drape drape = drape_blank(scene, mesh);
   clear_folder(directory);
   write_scene_copy(with_absolute_paths(scene), directory);
   write_drape(scene, mesh, card, drape, directory);
-  if (!arguments.quiet) print_answer(describe_drape(mesh, card, drape));
+  if (arguments.quiet) return;
+  print_answer(describe_drape(mesh, card, drape));
+  log_end(directory, "drape.vtu for ParaView, flat_pattern.csv for the cutter, the numbers in drape.json");
 }
 
 }  // namespace
@@ -51,6 +53,7 @@ void add_drape_command(CLI::App& program) {
   add_scene_arguments(*command, arguments->scene);
   add_output_argument(*command, arguments->output);
   add_quiet_argument(*command, arguments->quiet);
+  add_verbose_argument(*command, arguments->verbose);
   command->callback([arguments] { make_drape(*arguments); });
 }
 

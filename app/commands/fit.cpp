@@ -42,9 +42,7 @@ void fit(const FitArguments& arguments) {
                                                                    : std::filesystem::path(arguments.output);
   const auto spec = identify::read_fit(file);
   const auto found = identify::identify(spec);
-  if (!arguments.quiet) {
-    for (const auto& warning : found.warnings) log_line("warning: " + warning);
-  }
+  for (const auto& warning : found.warnings) log_warning(warning);
   const auto outputs = identify::output_files(found);
   OutputClaim claim{
       .directory = directory, .names = {}, .inputs = input_files(spec), .can_force = true, .force = arguments.force};

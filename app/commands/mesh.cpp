@@ -1,4 +1,6 @@
 // weaveform mesh SCENE: the yarn lattice and its cells, as DIR/mesh.vtu beside the complete scene.
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <memory>
 
@@ -15,7 +17,7 @@ namespace {
 struct MeshArguments {
   SceneArguments scene;
   std::string output;
-  bool quiet = false;
+  bool quiet = false, verbose = false;
   bool plan = false;
   int threads = 0;
 };
@@ -28,12 +30,14 @@ void make_mesh(const MeshArguments& arguments) {
   const Model model = build_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
-  if (!arguments.quiet) log_start("mesh", model.scene);
+  if (!arguments.quiet) log_start("mesh", model.scene, arguments.verbose);
   const OutputFolder folder(result_claim(directory, model.scene));
   log_warning(folder.trouble());
   log_warnings(early_warnings(model));
   write_model(model, directory);
-  if (!arguments.quiet) print_answer(describe(model));
+  if (arguments.quiet) return;
+  print_answer(describe(model));
+  log_end(directory, fmt::format("mesh.vtu for ParaView; next: weaveform solve {}", directory.string()));
 }
 
 }  // namespace
@@ -44,6 +48,7 @@ void add_mesh_command(CLI::App& program) {
   add_scene_arguments(*command, arguments->scene);
   add_output_argument(*command, arguments->output);
   add_quiet_argument(*command, arguments->quiet);
+  add_verbose_argument(*command, arguments->verbose);
   command->add_flag("--plan", arguments->plan,
                     "Only say what each coarsening would take: cells, yarn, step, steps, time and memory");
   command->add_option("--threads", arguments->threads, "Threads of the plan's trials; 0 chooses");

@@ -29,9 +29,11 @@ void add_post_command(CLI::App& program) {
     if (!command->get_subcommands().empty()) return;
     if (arguments->directory.empty()) throw InputError("DIR is required; 'weaveform post --help' tells more");
     const OutputFolder folder(post_claim(arguments->directory, scene_of(arguments->directory)));
-    if (!arguments->quiet) log_warning(folder.trouble());
+    log_warning(folder.trouble());
     const std::string table = post_folder(arguments->directory);
-    if (!arguments->quiet) print_answer(table);
+    if (arguments->quiet) return;
+    print_answer(table);
+    log_end(arguments->directory, "contours.vtp for ParaView, the verdict in summary.json");
   });
 }
 

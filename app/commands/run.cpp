@@ -24,7 +24,11 @@ struct RunArguments {
   std::string accuracy;  // "2%"; "": the scene's own mesh
   std::vector<std::string> measures;
   double finest = 1.0;
+  bool verbose = false;
 };
+
+constexpr const char* what_to_open =
+    "result.pvd and contours.vtp for ParaView, history.csv for a spreadsheet, the verdict in summary.json";
 
 std::filesystem::path folder_of(const RunArguments& arguments) {
   return arguments.output.empty() ? default_result_folder(arguments.scene.scene)
@@ -48,19 +52,21 @@ void run_to_accuracy(const RunArguments& arguments) {
   constexpr auto over = std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
   std::filesystem::copy(found.results, directory, over);
   write_text_whole(directory / "accuracy.md", found.table);
+  const std::string table = post_folder(directory);
   if (!arguments.solve.quiet) {
-    print_answer(post_folder(directory));
+    print_answer(table);
     print_answer("\n" + found.table);
   }
   if (!found.met)
-    throw PhysicsError(
-        fmt::format("{}: an error within {:.3g} % cannot be shown; the finest mesh (coarsening x {:g}) is in {}, what "
-                    "is known of its "
-                    "error in accuracy.md there; a finer --finest may show it",
-                    arguments.scene.scene, 100.0 * options.tolerance, found.factor, directory.string()));
+    throw PhysicsError(fmt::format(
+        "{}: a mesh error within {:.3g} % cannot be shown; the finest mesh (coarsening x {:g}) is in {}, what "
+        "is known of its error in accuracy.md there; a finer --finest may show it",
+        arguments.scene.scene, 100.0 * options.tolerance, found.factor, directory.string()));
   if (!arguments.solve.quiet)
-    log_line(fmt::format("within {:.3g} %: coarsening x {:g}, in {}", 100.0 * options.tolerance, found.factor,
-                         directory.string()));
+    log_line(
+        fmt::format("mesh error within {:.3g} %: coarsening x {:g}, in {}; errors of law, card, friction and speed "
+                    "are not in it",
+                    100.0 * options.tolerance, found.factor, directory.string()));
 }
 
 void run(const RunArguments& arguments) {
@@ -70,7 +76,7 @@ void run(const RunArguments& arguments) {
   std::string expected;
   if (!arguments.solve.resume) expected = require_room(model, directory, arguments.scene.yes);
   if (!arguments.solve.quiet) {
-    log_start("run", model.scene);
+    log_start("run", model.scene, arguments.verbose);
     log_line(describe(model));
     if (!expected.empty()) log_line(expected);
   }
@@ -84,7 +90,9 @@ void run(const RunArguments& arguments) {
     write_model(model, directory);
   solve_folder(directory, arguments.solve, true);  // there is room, as asked above
   const std::string table = post_folder(directory, said);
-  if (!arguments.solve.quiet) print_answer(table);
+  if (arguments.solve.quiet) return;
+  print_answer(table);
+  log_end(directory, what_to_open);
 }
 
 }  // namespace
@@ -95,10 +103,12 @@ void add_run_command(CLI::App& program) {
   add_scene_arguments(*command, arguments->scene);
   add_output_argument(*command, arguments->output);
   add_solve_arguments(*command, arguments->solve);
+  add_verbose_argument(*command, arguments->verbose);
   auto* accuracy =
       command
           ->add_option("--accuracy", arguments->accuracy,
-                       "Solve coarser meshes first and take the coarsest within this error, e.g. 2% (docs/study.md)")
+                       "Solve coarser meshes first and take the coarsest whose mesh error, the part that refinement "
+                       "removes, is within this, e.g. 2% (docs/study.md)")
           ->type_name("ERROR");
   command
       ->add_option("--measure", arguments->measures,

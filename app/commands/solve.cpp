@@ -32,6 +32,9 @@ void add_solve_command(CLI::App& program) {
     const OutputFolder folder(later_claim(arguments->directory, scene_of(arguments->directory)));
     log_warning(folder.trouble());
     solve_folder(arguments->directory, arguments->solve, arguments->yes || arguments->solve.resume);
+    if (!arguments->solve.quiet)
+      log_end(arguments->directory,
+              fmt::format("result.pvd for ParaView, history.csv; next: weaveform post {}", arguments->directory));
   });
 }
 

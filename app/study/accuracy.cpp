@@ -41,6 +41,11 @@ std::vector<double> factors(const Scene& scene, double finest) {
   return list;
 }
 
+// "coarsening_x4_1c9f02ab": a person reads the level, and the digest keeps levels of different scenes apart.
+std::string level_name(double factor, const std::string& text) {
+  return fmt::format("coarsening_x{:g}_{}", factor, case_name(text).substr(0, 8));
+}
+
 std::optional<SolvedLevel> solve_level(const Scene& scene, double factor, const std::vector<std::string>& measures,
                                        const fs::path& folder, const AccuracyOptions& options, Outcome& outcome_now) {
   Scene coarser = scene;
@@ -50,7 +55,7 @@ std::optional<SolvedLevel> solve_level(const Scene& scene, double factor, const 
                   fmt::format("[{}, {}]", coarser.blank.coarsening[0], coarser.blank.coarsening[1]),
                   std::nullopt,
                   {}};
-  const Case one{case_name(text), text, {setting}};
+  const Case one{level_name(factor, text), text, {setting}};
   RunOptions run;
   run.threads = options.threads;
   run_cases({one}, folder, run);

@@ -9,7 +9,12 @@ namespace weaveform {
 // nobody listens any more (a closed or full standard error, a log reader that has gone).
 void say(std::string_view line) noexcept;
 
-// The same without the line's end, for what rewrites its line on a terminal.
+// The same without the line's end.
 void say_part(std::string_view text) noexcept;
+
+// On a terminal: a line that the next say_status replaces in place, and above which say() puts its own.
+void say_status(std::string_view line) noexcept;
+// Leaves the status line where it stands, if there is one.
+void end_status_line() noexcept;
 
 }  // namespace weaveform

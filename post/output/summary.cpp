@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr std::array zone_name = {"A", "B", "C"};
+constexpr std::array component = {".force_x_N", ".force_y_N", ".force_z_N"};
 
 double last_value(const History& history, const std::string& column) {
   const std::vector<double> values = history.values(column);
@@ -96,8 +97,15 @@ std::vector<GripSummary> summarise_grips(const Scene& scene, const History& hist
 
 std::vector<ToolSummary> summarise_tools(const Scene& scene, const History& history) {
   std::vector<ToolSummary> summary;
-  for (const ToolSpec& tool : scene.tools)
-    summary.push_back({summarise_motion(tool.name, history), last_value(history, tool.name + ".contact_area_mm2")});
+  for (const ToolSpec& tool : scene.tools) {
+    ToolSummary one{summarise_motion(tool.name, history), tool.travel == 0.0 && !tool.force,
+                    last_value(history, tool.name + ".contact_area_mm2")};
+    if (history.index(tool.name + ".force_x_N") >= 0) {
+      one.whole_force.emplace();
+      for (std::size_t c = 0; c < 3; ++c) (*one.whole_force)[c] = last_value(history, tool.name + component[c]);
+    }
+    summary.push_back(one);
+  }
   return summary;
 }
 
@@ -123,6 +131,8 @@ void write_summary(const Summary& summary, const std::filesystem::path& file) {
   for (const ToolSummary& tool : summary.tool) {
     Json entry = motion_json(tool.motion);
     entry["contact_area_mm2"] = tool.contact_area;
+    if (tool.whole_force)
+      for (std::size_t c = 0; c < 3; ++c) entry[component[c] + 1] = (*tool.whole_force)[c];
     json["tools"][tool.motion.name] = entry;
   }
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);

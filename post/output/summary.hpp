@@ -1,6 +1,7 @@
 // The run in numbers: gathered once, written as summary.json for scripts and printed as a table for people.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,7 +24,9 @@ struct GripSummary {
 
 struct ToolSummary {
   GripSummary motion;
-  double contact_area = 0.0;  // mm2; at the end
+  bool at_rest = false;
+  double contact_area = 0.0;                              // mm2; at the end
+  std::optional<std::array<double, 3>> whole_force = {};  // N; x, y, z at the end; older results have none
 };
 
 struct MeasureSummary {

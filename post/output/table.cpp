@@ -79,8 +79,8 @@ std::string load_difference(double first, double second) {
 std::string grip_lines(const Summary& summary) {
   if (summary.grip.empty()) return "";
   const std::size_t width = name_width(summary.grip, 16);
-  std::string text =
-      fmt::format("\n{:<{}}{:>10}{:>10}{:>10}   along its motion\n", "grip", width, "travel mm", "end N", "largest N");
+  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}   along its direction\n", "grip", width, "travel mm",
+                                 "end N", "largest N");
   for (const GripSummary& g : summary.grip)
     text += fmt::format("{:<{}}{}{}{}\n", g.name, width, number(g.displacement), number(g.force, 3),
                         number(g.largest_force, 3));
@@ -96,11 +96,16 @@ std::string tool_lines(const Summary& summary) {
   const SolveStatistics& s = summary.statistics;
   std::size_t width = 16;
   for (const ToolSummary& tool : summary.tool) width = std::max(width, tool.motion.name.size() + 1);
-  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}{:>12}   along its motion\n", "tool", width, "travel mm",
-                                 "end N", "largest N", "contact mm2");
-  for (const ToolSummary& tool : summary.tool)
-    text += fmt::format("{:<{}}{}{}{}{:>12.0f}\n", tool.motion.name, width, number(tool.motion.displacement),
-                        number(tool.motion.force, 3), number(tool.motion.largest_force, 3), tool.contact_area);
+  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}{:>12}   N along\n", "tool", width, "travel mm", "end N",
+                                 "largest N", "contact mm2");
+  for (const ToolSummary& tool : summary.tool) {
+    text += fmt::format("{:<{}}{}{}{}{:>12.0f}   {}", tool.motion.name, width, number(tool.motion.displacement),
+                        number(tool.motion.force, 3), number(tool.motion.largest_force, 3), tool.contact_area,
+                        tool.at_rest ? "its axis, at rest" : "its motion");
+    if (const auto& f = tool.whole_force; f)
+      text += fmt::format("; x, y, z at the end {:.3f}, {:.3f}, {:.3f} N", (*f)[0], (*f)[1], (*f)[2]);
+    text += "\n";
+  }
   text += fmt::format(
       "contact: greatest penetration {} of the thickness; friction {:.4g} mJ, contact damping {:.4g} mJ; {} of the "
       "time\n",

@@ -52,8 +52,8 @@ Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
 }
 
 // Along the mirror planes that mirror a resting tool onto itself: the force across them is zero.
-Vec3 along_planes(Vec3 direction, const MeshSymmetry& symmetry) {
-  for (const auto& plane : symmetry.plane) {
+Vec3 along_planes(Vec3 direction, const std::vector<SymmetryPlane>& planes) {
+  for (const auto& plane : planes) {
     const double across = dot(direction, plane.normal);
     for (int c = 0; c < 3; ++c) direction[c] -= across * plane.normal[c];
   }
@@ -86,6 +86,7 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
       frequency_(std::sqrt(contact_stiffness_share * stiffness_factor(scene.analysis)) * 2.0 / fabric_step),
       fabric_frequency_(2.0 / fabric_step),
       parts_(mesh.symmetry.parts()),
+      planes_(mesh.symmetry.plane),
       mass_(packed.nodes, 0.0),
       area_(node_areas(mesh, packed)),
       mesh_of_packed_(packed.nodes, -1) {
@@ -102,7 +103,7 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
     // a half or quarter of the fabric meets a half or quarter of the tool
     if (spec.force) *spec.force /= parts_;
     if (spec.mass) *spec.mass /= parts_;
-    if (spec.travel == 0.0 && !spec.force) tool.direction = along_planes(tool.direction, mesh.symmetry);
+    if (spec.travel == 0.0 && !spec.force) tool.direction = along_planes(tool.direction, mesh.symmetry.plane);
     partners_.push_back(make_partner(tool, spec, duration, start, default_tool_mass(scene.analysis, blank_mass_)));
   }
   refuse_penetration(start);
@@ -296,8 +297,12 @@ void Contact::sum_blocks(Partner& partner, double reaction_before) {
 
 void Contact::read_instruments() {
   readings_.clear();
-  for (const auto& partner : partners_)
-    readings_.push_back({partner.motion.displacement(), parts_ * partner.reaction(), parts_ * partner.area});
+  for (const auto& partner : partners_) {
+    // what the mirrored parts feel across a plane is the opposite
+    Vec3 whole = along_planes(partner.force, planes_);
+    for (double& component : whole) component *= parts_;
+    readings_.push_back({partner.motion.displacement(), parts_ * partner.reaction(), parts_ * partner.area, whole});
+  }
 }
 
 void Contact::check(const Partner& partner, const State& state) const {

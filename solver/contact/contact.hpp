@@ -124,8 +124,9 @@ private:
   double fabric_frequency_;  // 1/s; the fabric's greatest
   double blank_mass_ = 0.0;  // tonne
   int parts_;                // of which this is one: the mesh's symmetry
-  Doubles mass_;             // tonne; 0 where no node is
-  Doubles area_;             // mm^2; of the fabric around each node
+  std::vector<SymmetryPlane> planes_;
+  Doubles mass_;  // tonne; 0 where no node is
+  Doubles area_;  // mm^2; of the fabric around each node
   std::vector<int> mesh_of_packed_;
   std::vector<Partner> partners_;
   std::vector<ToolReading> readings_;

@@ -119,7 +119,7 @@ void Analysis::report_progress() {
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const double rate = wall > 0.0 ? static_cast<double>(state_.step) * mesh_.cells.size() / wall : 0.0;
   progress_.update(fraction,
-                   fmt::format("step {}  {:.1f} M cell-steps/s  kinetic/internal {:.2g}", state_.step, 1e-6 * rate,
+                   fmt::format("{:.1f} M cell-steps/s  step {}  kinetic/internal {:.2g}", 1e-6 * rate, state_.step,
                                balance_.internal > 0.0 ? balance_.kinetic / balance_.internal : 0.0));
 }
 
@@ -133,6 +133,7 @@ SolveStatistics Analysis::statistics() {
   s.finished = false;
   s.time_s = fields_.time;
   s.program = options_.program;
+  s.scene = options_.scene_name;
   s.scene_digest = digest_of(identity());
   s.card_digest = digest_of(card_to_toml(card_));
   s.mesh_digest = mesh_digest(whole_);

@@ -14,7 +14,7 @@
 namespace weaveform {
 namespace {
 
-constexpr std::string_view magic = "weaveform checkpoint 3\n";
+constexpr std::string_view magic = "weaveform checkpoint 4\n";
 constexpr std::size_t head_size = magic.size() + 2 * sizeof(std::uint64_t);
 constexpr std::size_t longest_text = 1 << 16;
 constexpr double greatest_step_count = 0x1.0p53;

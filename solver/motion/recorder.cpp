@@ -1,8 +1,21 @@
 #include "solver/motion/recorder.hpp"
 
+#include <array>
 #include <numbers>
 
 namespace weaveform {
+namespace {
+
+constexpr std::array tool_columns = {".displacement_mm", ".force_N",   ".contact_area_mm2",
+                                     ".force_x_N",       ".force_y_N", ".force_z_N"};
+constexpr int tool_width = static_cast<int>(tool_columns.size());
+constexpr int tool_means = tool_width - 1;  // all but the displacement, in the columns' order
+
+std::array<double, tool_means> means_of(const ToolReading& tool) {
+  return {tool.force, tool.area, tool.whole_force[0], tool.whole_force[1], tool.whole_force[2]};
+}
+
+}  // namespace
 
 Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, double duration, int rows)
     : grip_count_(static_cast<int>(grips.size())), probes_(std::move(probes)), duration_(duration), rows_(rows) {
@@ -31,9 +44,8 @@ void Recorder::record_tools(const std::vector<ToolSpec>& tools) {
   tool_count_ = static_cast<int>(tools.size());
   tool_column_ = static_cast<int>(history_.column.size());
   for (const auto& tool : tools)
-    for (const char* what : {".displacement_mm", ".force_N", ".contact_area_mm2"})
-      history_.column.push_back(tool.name + what);
-  window_.impulse.assign(grip_count_ + 2 * tool_count_, 0.0);
+    for (const char* what : tool_columns) history_.column.push_back(tool.name + what);
+  window_.impulse.assign(grip_count_ + tool_means * tool_count_, 0.0);
 }
 
 void Recorder::add_forces(double time, double kick, const std::vector<double>& force,
@@ -43,8 +55,8 @@ void Recorder::add_forces(double time, double kick, const std::vector<double>& f
   window_.elapsed += kick;
   for (int g = 0; g < grip_count_; ++g) window_.impulse[g] += kick * force[g];
   for (int t = 0; t < tool_count_; ++t) {
-    window_.impulse[grip_count_ + 2 * t] += kick * tools[t].force;
-    window_.impulse[grip_count_ + 2 * t + 1] += kick * tools[t].area;
+    const auto means = means_of(tools[t]);
+    for (int k = 0; k < tool_means; ++k) window_.impulse[grip_count_ + tool_means * t + k] += kick * means[k];
   }
 }
 
@@ -53,8 +65,9 @@ void Recorder::close_window() {
     auto& row = history_.row[window_.row];
     for (int g = 0; g < grip_count_; ++g) row[2 + 2 * g] = window_.impulse[g] / window_.elapsed;
     for (int t = 0; t < tool_count_; ++t)
-      for (int k = 0; k < 2; ++k)
-        row[tool_column_ + 3 * t + 1 + k] = window_.impulse[grip_count_ + 2 * t + k] / window_.elapsed;
+      for (int k = 0; k < tool_means; ++k)
+        row[tool_column_ + tool_width * t + 1 + k] =
+            window_.impulse[grip_count_ + tool_means * t + k] / window_.elapsed;
     if (frame_) {
       const double angle = frame_shear_angle(*frame_, row[1 + 2 * pulled_]);
       row[frame_column_] = angle * 180.0 / std::numbers::pi;
@@ -62,7 +75,7 @@ void Recorder::close_window() {
     }
   }
   window_.elapsed = 0.0;
-  window_.impulse.assign(grip_count_ + 2 * tool_count_, 0.0);
+  window_.impulse.assign(grip_count_ + tool_means * tool_count_, 0.0);
   ++window_.row;
 }
 
@@ -81,7 +94,7 @@ void Recorder::add_row(double time, const std::vector<double>& displacement, con
   row.insert(row.end(), {balance.kinetic, balance.internal, balance.external, balance.damping, balance.bending,
                          balance.hourglass, balance.error()});
   row.resize(history_.column.size(), 0.0);
-  for (int t = 0; t < tool_count_; ++t) row[tool_column_ + 3 * t] = tools[t].displacement;
+  for (int t = 0; t < tool_count_; ++t) row[tool_column_ + tool_width * t] = tools[t].displacement;
   history_.row.push_back(std::move(row));
 }
 

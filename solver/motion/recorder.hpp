@@ -23,7 +23,8 @@ public:
   // test's evaluation gives from the travel and load of grip number `pulled`.
   void evaluate_frame(const ShearFrame& frame, int pulled);
 
-  // With tools, each row also has their displacement, and their force and contact area as means like the grips' forces.
+  // With tools, each row also has their displacement, and as means like the grips' forces: the force of the tool on the
+  // fabric along its motion (of a tool at rest along its axis), contact area, and the force's components x, y, z.
   void record_tools(const std::vector<ToolSpec>& tools);
 
   // Adds the grips' forces (N, along their directions) and the tools' readings over `kick` seconds around `time`.
@@ -43,7 +44,7 @@ public:
   // What a checkpoint must keep.
   struct Window {
     double elapsed = 0.0;         // s
-    std::vector<double> impulse;  // N s; of the grips, then of each tool, followed by its area (mm^2 s)
+    std::vector<double> impulse;  // N s; of the grips, then of each tool: force, area (mm^2 s), x, y, z
     int row = 0;                  // the row this window belongs to
   };
   [[nodiscard]] const Window& window() const { return window_; }

@@ -14,9 +14,12 @@
 
 namespace weaveform {
 
-// Columns in order, first "time_s"; then NAME.displacement_mm and NAME.force_N per grip (and tool),
+// Columns in order, first "time_s"; then NAME.displacement_mm and NAME.force_N per grip,
 // NAME.shear_angle_deg, NAME.shear_angle_sd_deg, NAME.shear_angle_min_deg, NAME.shear_angle_max_deg per measure, then
-// energies kinetic_energy_mJ, internal_energy_mJ, external_work_mJ, damping_work_mJ, energy_error.
+// energies kinetic_energy_mJ, internal_energy_mJ, external_work_mJ, damping_work_mJ, bending_energy_mJ,
+// hourglass_energy_mJ, energy_error; frame.shear_angle_deg and frame.normalised_shear_force_N_per_mm of a shear frame;
+// last NAME.displacement_mm, NAME.force_N, NAME.contact_area_mm2, NAME.force_x_N, NAME.force_y_N, NAME.force_z_N per
+// tool. Forces are those on the fabric: force_N along the motion, of what is at rest along its direction or axis.
 struct History {
   std::vector<std::string> column;
   std::vector<std::vector<double>> row;
@@ -27,7 +30,8 @@ struct History {
 struct SolveStatistics {
   bool finished = true;  // false in the solve.json of a run under way, which is renewed with every frame
   double time_s = 0.0;   // that the numbers below are of: duration_s when finished
-  std::string program;   // its version line
+  std::string program;   // its version line, with the commit
+  std::string scene;     // the file that the run was given
   std::string scene_digest, card_digest, mesh_digest;  // of values and of the contents of files (motion/identity.hpp)
   int cells = 0, nodes = 0, yarns = 0;                 // of the whole blank, as in mesh.vtu
   std::string symmetry = "none";                       // "quarter", "half", or "none": the whole is solved

@@ -11,6 +11,7 @@ void for_each_statistic(Statistics& s, Visit visit) {
   visit("finished", s.finished);
   visit("time_s", s.time_s);
   visit("program", s.program);
+  visit("scene", s.scene);
   visit("scene_digest", s.scene_digest);
   visit("card_digest", s.card_digest);
   visit("mesh_digest", s.mesh_digest);
