@@ -42,12 +42,12 @@ void log_warning(const std::string& text) {
 }
 
 int report(const std::exception& error) {
-  if (const auto* input = dynamic_cast<const InputError*>(&error)) {
-    for (const auto& complaint : input->complaints()) (void)failed(complaint, ExitCode::input);
-    return static_cast<int>(ExitCode::input);
+  if (const auto* listed = dynamic_cast<const ListedError*>(&error)) {
+    const ExitCode code = dynamic_cast<const FileError*>(&error) != nullptr ? ExitCode::files : ExitCode::input;
+    for (const auto& complaint : listed->complaints()) (void)failed(complaint, code);
+    return static_cast<int>(code);
   }
   if (dynamic_cast<const PhysicsError*>(&error)) return failed(error.what(), ExitCode::physics);
-  if (dynamic_cast<const FileError*>(&error)) return failed(error.what(), ExitCode::files);
   if (dynamic_cast<const Interrupted*>(&error)) return failed(error.what(), ExitCode::interrupted);
   if (dynamic_cast<const std::filesystem::filesystem_error*>(&error)) return failed(error.what(), ExitCode::files);
   if (dynamic_cast<const std::bad_alloc*>(&error))

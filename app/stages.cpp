@@ -48,8 +48,12 @@ std::vector<std::string> early_warnings(const Model& model) {
 }
 
 void log_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& said) {
-  for (const std::string& line : warnings)
-    if (std::find(said.begin(), said.end(), line) == said.end()) log_line("warning: " + line);
+  // what a line is about stands before its first colon; numbers known better after the run may follow
+  const auto subject = [](const std::string& line) { return line.substr(0, line.find(": ")); };
+  for (const std::string& line : warnings) {
+    const auto is_same = [&](const std::string& other) { return subject(other) == subject(line); };
+    if (std::none_of(said.begin(), said.end(), is_same)) log_line("warning: " + line);
+  }
 }
 
 std::string require_room(const Model& model, const fs::path& directory, bool yes) {

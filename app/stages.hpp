@@ -28,7 +28,8 @@ struct Model {
 // What the model shows against itself before it is run (mesher/scene/idle.hpp, mesher/tools/out_of_reach.hpp).
 [[nodiscard]] std::vector<std::string> early_warnings(const Model& model);
 
-// "warning: ..." on standard error, also of a quiet command; those in `said` are left out.
+// "warning: ..." on standard error, also of a quiet command; left out are those on a subject (what stands before the
+// first colon) that `said` has a line about.
 void log_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& said = {});
 
 // What the run is expected to take, as a line for the log. Throws InputError when the disk of `directory` or the hours

@@ -1,6 +1,7 @@
 // weaveform check SCENE: reads a scene as `run` would, down to its mesh, and prints it complete with every default.
 #include <memory>
 
+#include "app/checked_model.hpp"
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/result_folder.hpp"
@@ -14,7 +15,7 @@ void add_check_command(CLI::App& program) {
   const auto arguments = std::make_shared<SceneArguments>();
   add_scene_arguments(*command, *arguments);
   command->callback([arguments] {
-    const Model model = build_model(arguments->scene, arguments->overrides, arguments->yes);
+    const Model model = checked_model(arguments->scene, arguments->overrides, arguments->yes, Look::with_first_step);
     const std::string expected = require_room(model, default_result_folder(arguments->scene), arguments->yes);
     log_warnings(early_warnings(model));
     print_answer("# " + describe(model) + "\n# " + expected + "\n" + scene_to_toml(model.scene));

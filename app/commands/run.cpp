@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/checked_model.hpp"
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/result_folder.hpp"
@@ -71,7 +72,8 @@ void run_to_accuracy(const RunArguments& arguments) {
 
 void run(const RunArguments& arguments) {
   if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
-  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes);
+  const Model model =
+      checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::before_the_run);
   const std::filesystem::path directory = folder_of(arguments);
   std::string expected;
   if (!arguments.solve.resume) expected = require_room(model, directory, arguments.scene.yes);

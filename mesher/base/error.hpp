@@ -11,13 +11,12 @@ namespace weaveform {
 
 enum class ExitCode : int { done = 0, input = 2, physics = 3, files = 4, interrupted = 130 };
 
-// The input is wrong (scene, card, measurement, arguments). Holds every complaint found, one line each, in the form
-// "file:line:column: what is wrong; what to do".
-class InputError : public std::runtime_error {
+// Holds every complaint found, one line each, in the form "file:line:column: what is wrong; what to do".
+class ListedError : public std::runtime_error {
 public:
-  explicit InputError(std::vector<std::string> complaints)
+  explicit ListedError(std::vector<std::string> complaints)
       : std::runtime_error(joined(complaints)), complaints_(std::move(complaints)) {}
-  explicit InputError(std::string complaint) : InputError(std::vector<std::string>{std::move(complaint)}) {}
+  explicit ListedError(std::string complaint) : ListedError(std::vector<std::string>{std::move(complaint)}) {}
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
 
 private:
@@ -29,6 +28,12 @@ private:
   std::vector<std::string> complaints_;
 };
 
+// The input is wrong (scene, card, measurement, arguments).
+class InputError : public ListedError {
+public:
+  using ListedError::ListedError;
+};
+
 // The analysis went wrong: unstable step, tangled cells, energy balance lost, not a number.
 class PhysicsError : public std::runtime_error {
 public:
@@ -36,9 +41,9 @@ public:
 };
 
 // A file cannot be read or written (missing, no permission, disk full).
-class FileError : public std::runtime_error {
+class FileError : public ListedError {
 public:
-  using std::runtime_error::runtime_error;
+  using ListedError::ListedError;
 };
 
 // The user stopped the run; a checkpoint was left behind.

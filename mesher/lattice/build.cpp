@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/base/advice.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/drape/drape.hpp"
 #include "mesher/lattice/cross.hpp"
@@ -54,6 +55,19 @@ Vec2 extent_of(const Outline& outline, const Turn& yarns) {
   return {box.high[0] - box.low[0], box.high[1] - box.low[1]};
 }
 
+// A blank smaller than a model yarn's interval in both directions is no blank; a thousand times as large it is one.
+std::string metres_question(const Vec2& extent, const Vec2& spacing) {
+  constexpr double a_thousand = 1000.0;  // mm in a metre
+  const double least = std::min(spacing[0], spacing[1]);
+  if (std::max(extent[0], extent[1]) >= least || a_thousand * std::max(extent[0], extent[1]) < least) return "";
+  return fmt::format(
+      "blank: it is {:.4g} x {:.4g} mm, {:.2g} of the {:.4g} mm between model yarns: is it in metres? Lengths are in "
+      "mm, "
+      "{:.4g} x {:.4g}",
+      extent[0], extent[1], std::max(extent[0], extent[1]) / least, least, a_thousand * extent[0],
+      a_thousand * extent[1]);
+}
+
 // Cells met along the blank's own axes, and lines of either family across the whole blank.
 void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarns, const Vec2& spacing,
                 std::vector<std::string>& complaints) {
@@ -63,14 +77,16 @@ void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarn
   const std::array<double, 2> per_mm = {std::max(c / spacing[0], s / spacing[1]),
                                         std::max(s / spacing[0], c / spacing[1])};
   const Vec2 extent = extent_of(outline, yarns);
+  if (const std::string question = metres_question(extent, spacing); !question.empty())
+    return complaints.push_back(question);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double cells = extent[axis] * per_mm[axis];
     if (cells >= fewest_cells - rounding) continue;
     complaints.push_back(fmt::format(
         "blank.size: {:.6g} mm along the blank's {} axis are only {:.3g} cells of {:.6g} x {:.6g} mm; make it at least "
         "{:.6g} mm, or blank.coarsening smaller by {:.3g}",
-        extent[axis], axis == 0 ? "x" : "y", cells, spacing[0], spacing[1], fewest_cells / per_mm[axis],
-        fewest_cells / cells));
+        extent[axis], axis == 0 ? "x" : "y", cells, spacing[0], spacing[1], rounded_up(fewest_cells / per_mm[axis], 6),
+        rounded_up(fewest_cells / cells, 3)));
   }
   const Box box = bounding_box(outline);
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -80,7 +96,7 @@ void check_size(const BlankSpec& blank, const Outline& outline, const Turn& yarn
         "blank.coarsening: {} yarns every {:.6g} mm leave only {:.3g} cells across the blank; make coarsening[{}] at "
         "most {:.3g}",
         axis == 0 ? "weft" : "warp", spacing[axis], cells, 1 - axis,
-        blank.coarsening[1 - axis] * cells / fewest_cells));
+        rounded_down(blank.coarsening[1 - axis] * cells / fewest_cells, 3)));
   }
 }
 

@@ -54,6 +54,16 @@ void look_at_grips(const Scene& scene, std::vector<std::string>& found) {
   }
 }
 
+// What pulls or pushes the fabric without anything against it only carries it along; "" where something is.
+std::string alone(const Scene& scene) {
+  if (scene.frame) return "";
+  std::vector<std::string> holders;
+  for (const GripSpec& grip : scene.grip)
+    if (!holds_nothing(grip)) holders.push_back(fmt::format("grip '{}'", grip.name));
+  for (const ToolSpec& tool : scene.tools) holders.push_back(fmt::format("tool '{}'", tool.name));
+  return holders.size() == 1 ? holders.front() : "";
+}
+
 void look_at_loads(const Scene& scene, std::vector<std::string>& found) {
   const double weight = weight_of(scene);
   const bool moved = std::any_of(scene.grip.begin(), scene.grip.end(), moves_something) ||
@@ -67,6 +77,9 @@ void look_at_loads(const Scene& scene, std::vector<std::string>& found) {
   const bool held =
       scene.frame || !scene.tools.empty() ||
       std::any_of(scene.grip.begin(), scene.grip.end(), [](const GripSpec& grip) { return !holds_nothing(grip); });
+  if (const std::string mover = alone(scene); moved && weight == 0.0 && !mover.empty())
+    found.push_back(
+        fmt::format("nothing holds the fabric against {}, which only carries it along; add a grip or a tool", mover));
   if (weight > 0.0 && !held)
     found.emplace_back("nothing holds the fabric: it falls freely; add a grip, or a tool beneath it");
   if (weight > most_earths * earth || (!moved && weight > 0.0 && weight < least_earths * earth))

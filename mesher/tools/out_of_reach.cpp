@@ -51,21 +51,59 @@ double extent_of(const Cloud& cloud) {
 }
 
 struct Approach {
-  double at_start = 0.0, nearest = 0.0;  // mm
-  double way = 0.0;                      // mm; looked at
-  bool reaches = false;
+  double at_start = 0.0, at_end = 0.0, nearest = 0.0;  // mm
+  double way = 0.0;                                    // mm; looked at
+  bool leaves = false;                                 // farther from the blank at every place than at the one before
 };
+
+bool is_pushed(const ToolSpec& spec) {
+  return spec.force.value_or(0.0) > 0.0;
+}
 
 Approach approach(const Tool& tool, const ToolSpec& spec, const Cloud& cloud) {
   Approach found;
-  found.at_start = found.nearest = least_gap(tool, 0.0, cloud);
+  found.at_start = found.at_end = found.nearest = least_gap(tool, 0.0, cloud);
   // one that is pushed goes on until it meets something
   found.way = spec.force ? found.at_start + 2.0 * extent_of(cloud) : spec.travel;
-  for (int k = 1; k < places; ++k)
-    found.nearest = std::min(found.nearest, least_gap(tool, found.way * k / (places - 1), cloud));
-  // between two places and between two points a little more may be met
-  found.reaches = found.nearest <= std::abs(found.way) / (places - 1) + 0.5 * cloud.spacing;
+  found.leaves = found.way != 0.0;
+  for (int k = 1; k < places; ++k) {
+    const double gap = least_gap(tool, found.way * k / (places - 1), cloud);
+    found.leaves = found.leaves && gap > found.at_end;
+    found.at_end = gap;
+    found.nearest = std::min(found.nearest, gap);
+  }
   return found;
+}
+
+// Whether a tool that is pushed finds one at rest on the blank's other side, so that the fabric stays where it is.
+bool is_opposed(std::size_t pushed, const std::vector<Tool>& tools, const Scene& scene,
+                const std::vector<Approach>& approaches, double slack) {
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    const bool rests = scene.tools[t].travel == 0.0 && !is_pushed(scene.tools[t]);
+    double along = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) along += tools[t].direction[c] * tools[pushed].direction[c];
+    if (rests && along < 0.0 && approaches[t].at_start <= slack) return true;
+  }
+  return false;
+}
+
+// mm; how far all tools but one may carry the fabric.
+double carried_by_others(std::size_t tool, const std::vector<Tool>& tools, const Scene& scene,
+                         const std::vector<Approach>& approaches, const Cloud& cloud) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    if (t == tool) continue;
+    if (!is_pushed(scene.tools[t]))
+      sum += std::abs(scene.tools[t].travel);
+    else if (!is_opposed(t, tools, scene, approaches, 0.5 * cloud.spacing))
+      sum += extent_of(cloud);
+  }
+  return sum;
+}
+
+std::string motion_of(const ToolSpec& spec) {
+  return is_pushed(spec) ? fmt::format("is pushed by {:g} N", *spec.force)
+                         : fmt::format("travels {:g} mm", spec.travel);
 }
 
 }  // namespace
@@ -78,19 +116,26 @@ std::vector<std::string> tools_out_of_reach(const Scene& scene, const Mesh& mesh
     return {};
   const Cloud cloud = pick_nodes(mesh);
   const std::vector<Tool> tools = make_tools(scene, mesh.thickness);
+  std::vector<Approach> approaches;
+  for (std::size_t t = 0; t < tools.size(); ++t) approaches.push_back(approach(tools[t], scene.tools[t], cloud));
   std::vector<std::string> lines;
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const ToolSpec& spec = scene.tools[t];
-    const bool pushed = spec.force.value_or(0.0) > 0.0;
-    if (spec.travel == 0.0 && !pushed) continue;
-    const Approach found = approach(tools[t], spec, cloud);
-    if (found.reaches) return {};
-    const bool away = found.nearest >= found.at_start;
-    lines.push_back(fmt::format(
-        "tool '{}' {} and never touches the blank: {} {:.4g} mm from it; check its position, direction and travel",
-        spec.name,
-        pushed ? fmt::format("is pushed by {:g} N", *spec.force) : fmt::format("travels {:g} mm", spec.travel),
-        away ? "it moves away, and begins" : "it comes no nearer than", found.nearest));
+    const Approach& found = approaches[t];
+    if (spec.travel == 0.0 && !is_pushed(spec)) continue;
+    // between two places and between two points a little more may be met
+    const double slack = std::abs(found.way) / (places - 1) + 0.5 * cloud.spacing;
+    const double carried = carried_by_others(t, tools, scene, approaches, cloud);
+    if (found.leaves && carried <= found.at_start)
+      lines.push_back(fmt::format(
+          "tool '{}' never touches the fabric: it {} and moves away from it, {:.4g} mm off at the start and "
+          "{:.4g} mm at the end; check its direction, and its travel's sign",
+          spec.name, motion_of(spec), std::max(found.at_start, 0.0), found.at_end));
+    else if (found.nearest > slack + carried)
+      lines.push_back(fmt::format(
+          "tool '{}' never touches the fabric: it {} and comes no nearer than {:.4g} mm; check its position, direction "
+          "and travel",
+          spec.name, motion_of(spec), found.nearest));
   }
   return lines;
 }

@@ -32,7 +32,7 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
   std::vector<vtkIdType> point(mesh.node_count(), -1);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> flat, angle;
+  vtkNew<vtkDoubleArray> flat, angle, absolute_angle;
   flat->SetName("flat_position_mm");
   flat->SetNumberOfComponents(3);
   for (int n = 0; n < mesh.node_count(); ++n) {
@@ -43,6 +43,7 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
   angle->SetName("shear_angle_deg");
+  absolute_angle->SetName("absolute_shear_angle_deg");
   vtkNew<vtkUnsignedCharArray> folded, family;
   folded->SetName("folded");
   family->SetName("family");
@@ -51,6 +52,7 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
     if (ends[0] < 0 || ends[1] < 0) continue;
     grid->InsertNextCell(VTK_LINE, 2, ends);
     angle->InsertNextValue(0.0);
+    absolute_angle->InsertNextValue(0.0);
     folded->InsertNextValue(0);
     family->InsertNextValue(mesh.yarns.family[e] == Family::warp ? 1 : 2);
   }
@@ -61,11 +63,12 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
     grid->InsertNextCell(corner.size() == 4 ? VTK_QUAD : VTK_POLYGON, static_cast<vtkIdType>(corner.size()),
                          corner.data());
     angle->InsertNextValue(drape.shear_angle[c] * to_deg);
+    absolute_angle->InsertNextValue(std::abs(drape.shear_angle[c]) * to_deg);
     folded->InsertNextValue(static_cast<unsigned char>(drape.folded[c]));
     family->InsertNextValue(0);
   }
   grid->GetPointData()->AddArray(flat);
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{angle, folded, family})
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{angle, absolute_angle, folded, family})
     grid->GetCellData()->AddArray(array);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);

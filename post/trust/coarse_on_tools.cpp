@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "mesher/base/advice.hpp"
 #include "post/trust/borders.hpp"
 #include "post/trust/chords.hpp"
 
@@ -40,7 +41,8 @@ void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings) {
       "chords of {:.3g} mm cut {:.2g} mm off tool '{}' at {}, whose radius there is {} {:.2g} mm: beyond {:.2g} of it "
       "forces are 5 % off or more; set blank.coarsening to {:.2g} or less{}",
       worst.length, worst.depth, tool, place(worst), sharp ? "at most" : "about", worst.radius(), longest,
-      std::max(coarsening[0], coarsening[1]) * longest / worst.ratio(), sharp ? ", or round the edge" : ""));
+      rounded_down(std::max(coarsening[0], coarsening[1]) * longest / worst.ratio(), 2),
+      sharp ? ", or round the edge" : ""));
 }
 
 }  // namespace weaveform

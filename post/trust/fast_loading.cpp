@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mesher/base/advice.hpp"
 #include "post/trust/borders.hpp"
 #include "post/trust/inertia.hpp"
 
@@ -25,7 +26,7 @@ void warn_of_fast_loading(const FinishedRun& run, Warnings& warnings) {
       "inertia and damping are {:.2g} % of the loads between {:.4g} and {:.4g} s (limit {:.2g} %): they go with the "
       "square of the speed; set analysis.duration to {:.2g} s or more (now {:.4g})",
       100.0 * share, inertia.from, inertia.to, 100.0 * greatest_share,
-      solved.duration_s * std::sqrt(share / greatest_share), solved.duration_s));
+      rounded_up(solved.duration_s * std::sqrt(share / greatest_share), 2), solved.duration_s));
 }
 
 }  // namespace weaveform

@@ -37,9 +37,9 @@ void warn_of_idle_tools(const FinishedRun& run, Warnings& warnings) {
     start.place = start.tool.start;
     const double at_start = gap_between(start, run.mesh.nodes.position);
     warnings.push_back(fmt::format(
-        "tool '{}' {} and never touched the fabric: {} {:.4g} mm from it at the start and {:.4g} mm at the end; check "
-        "its position, direction and {}",
-        spec.name, pushed ? "is pushed" : "moves", at_end > at_start ? "it moves away," : "it stands", at_start, at_end,
+        "tool '{}' never touches the fabric: it {}{} {:.4g} mm off at the start and {:.4g} mm at the end; check its "
+        "position, direction and {}",
+        spec.name, pushed ? "is pushed" : "moves", at_end > at_start ? " away," : ", and is", at_start, at_end,
         pushed ? "force" : "travel"));
   }
 }

@@ -34,11 +34,10 @@ void warn_of_shear_beyond_card(const FinishedRun& run, Warnings& warnings) {
   if (beyond == 0) return;
   const Vec3 place = centre_of(run.mesh, most);
   warnings.push_back(fmt::format(
-      "{} of {} cells are sheared beyond the {:g} degrees to which the card's shear law is meant to hold, the most "
-      "cell "
-      "{} at ({:.4g}, {:.4g}, {:.4g}) mm of the flat blank with {:.3g} degrees; form less, or give the card a shear "
-      "law measured so far",
-      beyond, run.end.shear_angle.size(), limit, most, place[0], place[1], place[2], greatest));
+      "{} of {} cells are sheared beyond the {:g} degrees to which the card's shear law is meant to hold, up to {:.3g} "
+      "degrees in cell {} at ({:.4g}, {:.4g}, {:.4g}) mm of the flat blank; form less, or give the card a shear law "
+      "measured so far",
+      beyond, run.end.shear_angle.size(), limit, greatest, most, place[0], place[1], place[2]));
 }
 
 }  // namespace weaveform

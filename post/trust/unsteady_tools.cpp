@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesher/base/advice.hpp"
 #include "post/trust/borders.hpp"
 #include "post/trust/pushed_tools.hpp"
 #include "solver/contact/contact.hpp"
@@ -32,7 +33,8 @@ void warn_of_unsteady_tools(const FinishedRun& run, Warnings& warnings) {
     const std::string advice =
         viscous
             ? fmt::format("the guide's damping takes {:.3g} N; set tools.{}.damping to {:.2g} 1/s or less (now {:.4g})",
-                          std::abs(found.viscous), spec.name, spec.damping * border / found.off, spec.damping)
+                          std::abs(found.viscous), spec.name, rounded_down(spec.damping * border / found.off, 2),
+                          spec.damping)
             : fmt::format(
                   "its inertia takes the rest; make tools.{0}.mass smaller (now {1:.3g} tonne), "
                   "tools.{0}.damping larger (now {2:.4g} 1/s) or the loading slower",

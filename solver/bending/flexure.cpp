@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "mesher/base/error.hpp"
 
@@ -20,77 +22,87 @@ TangentLaw sum_of_laws(const TangentLaw& law, double constant) {
   return TangentLaw(std::move(pieces));
 }
 
-void choose_beams(const Card& card, const ModelSpec& model, Flexure& flexure) {
+using Missing = std::vector<std::string>;
+
+void choose_beams(const Card& card, const ModelSpec& model, Flexure& flexure, Missing& missing) {
+  if (!model.yarn_bending &&
+      (card.yarn[0].bending_out_of_plane.pieces().empty() || card.yarn[1].bending_out_of_plane.pieces().empty())) {
+    missing.push_back("model.yarn = \"beam\": card '" + card.name +
+                      "' gives no bending_out_of_plane for its yarns; add it to the card, or set "
+                      "model.yarn_bending = [in plane, out of plane] (N mm^2)");
+    return;
+  }
   for (int f = 0; f < 2; ++f) {
-    if (model.yarn_bending) {
-      flexure.in_plane[f] = constant_law((*model.yarn_bending)[0]);
-      flexure.out_of_plane[f] = constant_law((*model.yarn_bending)[1]);
-      continue;
-    }
-    if (card.yarn[f].bending_out_of_plane.pieces().empty())
-      throw InputError("model.yarn = \"beam\": card '" + card.name +
-                       "' gives no bending_out_of_plane for its yarns; add it to the card, or set "
-                       "model.yarn_bending = [in plane, out of plane] (N mm^2)");
-    flexure.in_plane[f] = card.yarn[f].bending_in_plane;
-    flexure.out_of_plane[f] = card.yarn[f].bending_out_of_plane;
+    flexure.in_plane[f] = model.yarn_bending ? constant_law((*model.yarn_bending)[0]) : card.yarn[f].bending_in_plane;
+    flexure.out_of_plane[f] =
+        model.yarn_bending ? constant_law((*model.yarn_bending)[1]) : card.yarn[f].bending_out_of_plane;
   }
 }
 
 // N mm^2; what a cell adds per yarn, as a constant, or the yarn's own law where nothing else is known.
-TangentLaw cell_law(const Card& card, const ModelSpec& model, int f) {
+TangentLaw cell_law(const Card& card, const ModelSpec& model, int f, Missing& missing) {
   const YarnCard& yarn = card.yarn[f];
   const bool beams = model.yarn == "beam";
   if (model.cell_bending) return constant_law((*model.cell_bending)[f] * yarn.interval);
   if (card.bending.rigidity) {
-    const double borne = !beams               ? 0.0
-                         : model.yarn_bending ? (*model.yarn_bending)[1]
-                                              : yarn.bending_out_of_plane.tangent(0.0);
+    const double borne = !beams                                       ? 0.0
+                         : model.yarn_bending                         ? (*model.yarn_bending)[1]
+                         : yarn.bending_out_of_plane.pieces().empty() ? 0.0  // complained about
+                                                                      : yarn.bending_out_of_plane.tangent(0.0);
     return constant_law((*card.bending.rigidity)[f] * yarn.interval - borne);
   }
   if (beams) return {};
   if (!yarn.bending_out_of_plane.pieces().empty()) return yarn.bending_out_of_plane;
-  throw InputError("model.cell = \"" + model.cell + "\": card '" + card.name +
-                   "' gives neither bending.rigidity nor bending_out_of_plane; add one to the card, or set "
-                   "model.cell_bending = [warp, weft, twist] (N mm)");
+  if (f == 0)
+    missing.push_back("model.cell = \"" + model.cell + "\": card '" + card.name +
+                      "' gives neither bending.rigidity nor bending_out_of_plane; add one to the card, or set "
+                      "model.cell_bending = [warp, weft, twist] (N mm)");
+  return {};
 }
 
-double needed(const std::optional<double>& value, const Card& card, const char* what, const char* key) {
-  if (value) return *value;
-  throw InputError(std::string("card '") + card.name + "' gives no " + what + "; add it to the card, or set " + key);
+double needed(const std::optional<double>& value, const Card& card, const char* what, const char* key,
+              Missing& missing) {
+  if (!value)
+    missing.push_back(std::string("card '") + card.name + "' gives no " + what + "; add it to the card, or set " + key);
+  return value.value_or(0.0);
+}
+
+void choose_cells(const Card& card, const ModelSpec& model, Flexure& flexure, Missing& missing) {
+  flexure.twist = model.cell_bending
+                      ? (*model.cell_bending)[2]
+                      : needed(card.bending.twist, card, "bending.twist", "model.cell_bending (N mm)", missing);
+  for (int f = 0; f < 2; ++f) {
+    const TangentLaw law = cell_law(card, model, f, missing);
+    if (flexure.has_shell) {
+      flexure.shell[f] = law;
+    } else if (!law.pieces().empty()) {
+      // one of the two is constant: beams beside cells leave cells a constant
+      const bool own_law = flexure.out_of_plane[f].pieces().empty();
+      flexure.out_of_plane[f] = own_law ? law : sum_of_laws(flexure.out_of_plane[f], law.tangent(0.0));
+    }
+  }
+  if (!flexure.has_shell) return;
+  flexure.transverse_shear = model.transverse_shear
+                                 ? *model.transverse_shear
+                                 : needed(card.bending.transverse_shear, card, "bending.transverse_shear",
+                                          "model.transverse_shear (N/mm)", missing);
+  const auto is_free = [](const TangentLaw& law) { return law.pieces().empty() || !(law.tangent(0.0) > 0.0); };
+  if (missing.empty() && (is_free(flexure.shell[0]) || is_free(flexure.shell[1])))
+    missing.emplace_back(
+        "model.cell = \"shell\": the cells have no bending stiffness of their own, so their rotations would be free; "
+        "set model.cell_bending = [warp, weft, twist] (N mm) above 0, or use cell = \"rotation-free\"");
 }
 
 }  // namespace
 
 Flexure choose_flexure(const Card& card, const ModelSpec& model) {
   Flexure flexure;
-  if (model.yarn == "beam") choose_beams(card, model, flexure);
+  Missing missing;
   flexure.rotation_free = model.cell == "rotation-free";
   flexure.has_shell = model.cell == "shell";
-  if (flexure.rotation_free || flexure.has_shell) {
-    flexure.twist = model.cell_bending ? (*model.cell_bending)[2]
-                                       : needed(card.bending.twist, card, "bending.twist", "model.cell_bending (N mm)");
-    for (int f = 0; f < 2; ++f) {
-      const TangentLaw law = cell_law(card, model, f);
-      if (flexure.has_shell) {
-        flexure.shell[f] = law;
-      } else if (!law.pieces().empty()) {
-        // one of the two is constant: beams beside cells leave cells a constant
-        const bool own_law = flexure.out_of_plane[f].pieces().empty();
-        flexure.out_of_plane[f] = own_law ? law : sum_of_laws(flexure.out_of_plane[f], law.tangent(0.0));
-      }
-    }
-  }
-  if (flexure.has_shell) {
-    flexure.transverse_shear =
-        model.transverse_shear
-            ? *model.transverse_shear
-            : needed(card.bending.transverse_shear, card, "bending.transverse_shear", "model.transverse_shear (N/mm)");
-    for (int f = 0; f < 2; ++f)
-      if (flexure.shell[f].pieces().empty() || !(flexure.shell[f].tangent(0.0) > 0.0))
-        throw InputError(
-            "model.cell = \"shell\": the cells have no bending stiffness of their own, so their rotations would be "
-            "free; set model.cell_bending = [warp, weft, twist] (N mm) above 0, or use cell = \"rotation-free\"");
-  }
+  if (model.yarn == "beam") choose_beams(card, model, flexure, missing);
+  if (flexure.rotation_free || flexure.has_shell) choose_cells(card, model, flexure, missing);
+  if (!missing.empty()) throw InputError(missing);
   for (int f = 0; f < 2; ++f)
     flexure.bends_yarns |= !flexure.in_plane[f].pieces().empty() || !flexure.out_of_plane[f].pieces().empty();
   return flexure;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "mesher/base/advice.hpp"
 #include "mesher/base/error.hpp"
 
 namespace weaveform {
@@ -119,7 +120,7 @@ Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, d
     throw InputError(
         fmt::format("[tools.{}] mass {:.4g} tonne is too light for the stable step; give {:.4g} or more (the blank has "
                     "{:.4g})",
-                    spec.name, parts_ * mass, parts_ * least_mass, parts_ * blank_mass_));
+                    spec.name, parts_ * mass, rounded_up(parts_ * least_mass, 4), parts_ * blank_mass_));
   Partner partner(tool, ToolMotion(spec, duration, mass));
   partner.law = {.offset = tool.offset,
                  .softening = contact_softening * thickness_,

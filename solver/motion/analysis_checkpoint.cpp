@@ -46,7 +46,7 @@ void Analysis::leave_checkpoint() {
   const auto begin = CheckpointClock::Clock::now();
   check_state();
   const Checkpoint now = checkpoint();
-  if (!is_finite(now)) fail("a velocity or force is not a number; lower analysis.step_factor");
+  if (!is_finite(now)) fail("a velocity or force is not a number; " + what_to_do());
   if (frames_) frames_->settle();
   if (clock_.count() == 0 && !directory_.empty())
     for (const char* name : {"scene.toml", "mesh.vtu"}) settle_on_disk(directory_ / name);

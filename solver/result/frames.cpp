@@ -90,7 +90,7 @@ void set_family(vtkUnsignedCharArray& family, const Mesh& mesh) {
 struct FrameWriter::Grid {
   vtkNew<vtkUnstructuredGrid> grid;
   vtkDoubleArray *point = nullptr, *time = nullptr, *displacement = nullptr;
-  vtkDoubleArray *shear_angle = nullptr, *yarn_strain = nullptr, *yarn_force = nullptr;
+  vtkDoubleArray *shear_angle = nullptr, *absolute_angle = nullptr, *yarn_strain = nullptr, *yarn_force = nullptr;
   vtkDoubleArray *thickness = nullptr, *areal_weight = nullptr;
   vtkFloatArray *warp = nullptr, *weft = nullptr;
   vtkUnsignedCharArray* folded = nullptr;
@@ -112,6 +112,7 @@ struct FrameWriter::Grid {
     vtkFieldData& cell_data = *grid->GetCellData();
     set_family(*add_array<vtkUnsignedCharArray>(cell_data, "family", 1, elements), mesh);
     shear_angle = add_array<vtkDoubleArray>(cell_data, "shear_angle_deg", 1, elements);
+    absolute_angle = add_array<vtkDoubleArray>(cell_data, "absolute_shear_angle_deg", 1, elements);
     yarn_strain = add_array<vtkDoubleArray>(cell_data, "yarn_strain", 1, elements);
     yarn_force = add_array<vtkDoubleArray>(cell_data, "yarn_force_N", 1, elements);
     // Directions are for arrows on a screen: single precision does.
@@ -212,6 +213,9 @@ struct FrameWriter::Grid {
     fill(*point, fields.position);
     fill(*displacement, fields.displacement);
     fill(*shear_angle, mean_on_yarns(beside, fields.shear_angle), fields.shear_angle, degrees_per_radian);
+    std::vector<double> absolute = fields.shear_angle;
+    for (double& angle : absolute) angle = std::abs(angle);
+    fill(*absolute_angle, mean_on_yarns(beside, absolute), absolute, degrees_per_radian);
     const int cells = mesh.cells.size();
     fill(*yarn_strain, fields.yarn_strain, mean_on_cells(beside, fields.yarn_strain, cells), 1.0);
     fill(*yarn_force, fields.yarn_force, mean_on_cells(beside, fields.yarn_force, cells), 1.0);

@@ -73,6 +73,7 @@ struct SolveStatistics {
 // current positions. So that every array holds a number on every element, and a viewer may average cells to points:
 //   family            0 cell, 1 warp, 2 weft
 //   shear_angle_deg   cells: signed; lines: mean of the cells beside it
+//   absolute_shear_angle_deg   the same without its sign; lines: mean of the cells' absolute angles
 //   yarn_strain, yarn_force_N     lines: their own; cells: mean of the yarn elements around it
 //   warp_direction, weft_direction  cells: unit yarn directions; lines: their own in their family's array, else 0
 //   folded            cells: 1 when folded; lines: 0

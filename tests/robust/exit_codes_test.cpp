@@ -161,8 +161,8 @@ TEST_F(ExitCodes, WithoutGnuplotAChartIsFileTroubleAndANumberIsNot) {
   EXPECT_FALSE(fs::exists(file("cell/unit_cell.svg")) || fs::exists(file("cell/unit_cell_error.svg")));
 }
 
-TEST_F(ExitCodes, LogNamesProgramAndEveryValue) {
-  const auto result = run("weaveform mesh tiny.toml --output out");
+TEST_F(ExitCodes, AVerboseLogNamesProgramAndEveryValue) {
+  const auto result = run("weaveform mesh tiny.toml --output out --verbose");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(result.err.starts_with("weaveform ")) << result.err;
   EXPECT_TRUE(says(result.err, "step_factor")) << "defaults belong to the log";

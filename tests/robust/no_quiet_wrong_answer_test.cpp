@@ -2,6 +2,7 @@
 // that names the part and its numbers, also under --quiet.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -104,13 +105,65 @@ TEST_F(NoQuietWrongAnswer, ShearBeyondTheCardIsAWarningWithItsPlace) {
 TEST_F(NoQuietWrongAnswer, AToolThatNeverTouchesIsNamed) {
   const std::string punch = "[tools.punch]\nshape = \"sphere\"\nradius = 20\nposition = [0, 0, 300]\n";
   const std::string far = fabric + held + punch + "travel = 20\n";
-  expect_warning(far, "tool 'punch' moves and never touched the fabric");
-  expect_told_before(far, "tool 'punch' travels 20 mm and never touches the blank");
-  expect_told_before(fabric + held + punch + "travel = 20\ndirection = [0, 0, 1]\n", "it moves away");
+  expect_warning(far, "tool 'punch' never touches the fabric");
+  expect_told_before(far, "tool 'punch' never touches the fabric: it travels 20 mm and comes no nearer than");
+  expect_told_before(fabric + held + punch + "travel = 20\ndirection = [0, 0, 1]\n", "moves away from it, 279.8");
   expect_told_before(fabric + held + punch + "force = 10\ndirection = [0, 0, 1]\n", "is pushed by 10 N");
   const auto touching = run(fabric + held + "[tools.punch]\nshape = \"sphere\"\nradius = 20\ntravel = 5\n");
   EXPECT_EQ(touching.exit_code, 0) << touching.err;
-  EXPECT_EQ(touching.err.find("never touched"), std::string::npos) << touching.err;
+  EXPECT_EQ(touching.err.find("never touches"), std::string::npos) << touching.err;
+}
+
+TEST_F(NoQuietWrongAnswer, APunchThatLeavesTheBlankIsNamedBeforeAndBesideOtherTools) {
+  const std::string press =
+      "[tools.die]\nshape = \"ring\"\nopening_radius = 40\nfillet_radius = 10\n"
+      "[tools.binder]\nshape = \"ring\"\naxis = [0, 0, -1]\nopening_radius = 40\nforce = 50\n"
+      "[tools.punch]\nshape = \"sphere\"\nradius = 20\n";
+  const std::string leaving = fabric + press + "travel = -20\n";
+  expect_told_before(leaving, "tool 'punch' never touches the fabric: it travels -20 mm and moves away from it");
+  const auto pressing = run(fabric + press + "travel = 10\n", "check scene.toml");
+  EXPECT_EQ(pressing.err.find("never touches"), std::string::npos) << pressing.err;
+  // what a punch pushes ahead of itself may meet a tool that gives way
+  const std::string giving_way =
+      "[tools.punch]\nshape = \"sphere\"\nradius = 20\ntravel = 10\n"
+      "[tools.pad]\nshape = \"plane\"\nposition = [0, 0, -5]\ndirection = [0, 0, -1]\ntravel = 4\n";
+  const auto led = run(fabric + held + giving_way, "check scene.toml");
+  EXPECT_EQ(led.err.find("never touches"), std::string::npos) << led.err;
+}
+
+TEST_F(NoQuietWrongAnswer, AWarningIsSaidOnceOnAQuietRun) {
+  const auto result = run(fabric + held + "[tools.punch]\nshape = \"sphere\"\nradius = 20\ntravel = -5\n");
+  const auto first = result.err.find("never touches");
+  ASSERT_NE(first, std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("never touches", first + 1), std::string::npos) << result.err;
+}
+
+TEST_F(NoQuietWrongAnswer, ABlankOfHundredthsOfAYarnAsksAboutMetres) {
+  const std::string small = "[fabric]\nmaterial = \"twintex-pw\"\n[blank]\n";
+  for (const std::string& blank :
+       {small + "size = [0.115, 0.23]\nyarn_angle = 45\n", small + "shape = \"disc\"\nsize = [0.4, 0.4]\n",
+        small + "shape = \"polygon\"\ncorners = [[0, 0], [0.3, 0], [0.1, 0.2]]\n"}) {
+    const auto result = run(blank, "check scene.toml");
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_NE(result.err.find("is it in metres?"), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+}
+
+// Whoever does what a refusal says is not refused again.
+TEST_F(NoQuietWrongAnswer, AdviceIsGoodAsPrinted) {
+  const std::string scene = "[fabric]\nmaterial = \"twintex-tw\"\n[blank]\nyarn_angle = 31\nfit = \"none\"\n";
+  for (const double coarsening : {1.7, 3.1, 7.3, 8.0}) {
+    const std::string set = "--set blank.coarsening=" + std::to_string(coarsening) + " --set blank.size=";
+    const auto refused = run(scene + "size = [20, 900]\n", "check scene.toml " + set + "[20,900]");
+    ASSERT_EQ(refused.exit_code, 2) << refused.err;
+    const std::string words = "make it at least ";
+    const auto at = refused.err.find(words);
+    ASSERT_NE(at, std::string::npos) << refused.err;
+    const std::string size = std::to_string(std::stod(refused.err.substr(at + words.size())));
+    const auto again = run(scene + "size = [20, 900]\n", "check scene.toml " + set + "[" + size + ",900]");
+    EXPECT_EQ(again.err.find("make it at least"), std::string::npos) << again.err;
+  }
 }
 
 TEST_F(NoQuietWrongAnswer, AGripThatMovesOrHoldsNothingIsNamed) {
@@ -123,6 +176,14 @@ TEST_F(NoQuietWrongAnswer, AGripThatMovesOrHoldsNothingIsNamed) {
 TEST_F(NoQuietWrongAnswer, ASceneWithNothingToDoSaysSo) {
   expect_warning(fabric, "nothing acts on the fabric");
   expect_told_before(fabric + held, "nothing acts on the fabric");
+}
+
+TEST_F(NoQuietWrongAnswer, AFabricThatNothingHoldsAgainstItsMoverIsNamed) {
+  expect_told_before(fabric + top + "travel = 3\n", "nothing holds the fabric against grip 'top'");
+  expect_told_before(fabric + "[tools.punch]\nshape = \"sphere\"\nradius = 20\ntravel = 5\n",
+                     "nothing holds the fabric against tool 'punch'");
+  const auto pulled = run(fabric + held + top + "travel = 3\n", "check scene.toml");
+  EXPECT_EQ(pulled.err.find("nothing holds"), std::string::npos) << pulled.err;
 }
 
 TEST_F(NoQuietWrongAnswer, AFreeFallAndAWeightBeyondSenseAreNamed) {

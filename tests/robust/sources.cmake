@@ -1,5 +1,6 @@
 set(ROBUST_SOURCES
   support/run_command.cpp
+  support/run_in_terminal.cpp
   robust/checkpoint_damage_test.cpp
   robust/checkpoint_resume_test.cpp
   robust/docs_commands_test.cpp
@@ -19,6 +20,7 @@ set(ROBUST_SOURCES
   robust/result_folder_test.cpp
   robust/streams_and_limits_test.cpp
   robust/study_test.cpp
+  robust/terminal_test.cpp
   robust/type_names_test.cpp
   robust/without_end_test.cpp
 )

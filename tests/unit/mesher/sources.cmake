@@ -1,4 +1,5 @@
 set(UNIT_MESHER_SOURCES
+  unit/mesher/advice_test.cpp
   unit/mesher/card_test.cpp
   unit/mesher/chart_test.cpp
   unit/mesher/drape_test.cpp
