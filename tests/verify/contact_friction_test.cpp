@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <string>
 
 #include "tests/support/belt.hpp"
 #include "tests/support/contact_scene.hpp"
@@ -36,6 +38,18 @@ TEST(Incline, BelowTheFrictionAngleTheBlockStaysForEver) {
   // would slide 550 mm between the two times.
   EXPECT_NEAR(early, late, 1e-9);
   EXPECT_LT(late, 1e-2);
+}
+
+TEST(Incline, ThePlaneAtRestBearsTheWeightByItsComponents) {
+  const Scene scene = incline(0.28, 0.3, 0.2);
+  const Mesh mesh = build_mesh(scene, load_card(scene.fabric.material));
+  const double mass = std::accumulate(mesh.nodes.mass.begin(), mesh.nodes.mass.end(), 0.0);
+  const SolveResult result = run(scene);
+  for (int c = 0; c < 3; ++c) {
+    const std::string column = std::string("plane.force_") + "xyz"[c] + "_N";
+    EXPECT_NEAR(at_part(result.history, column, 0.9), -mass * scene.analysis.gravity[c], 1e-3 * mass * gravity)
+        << column;
+  }
 }
 
 TEST(Incline, AboveTheFrictionAngleTheBlockSlidesWithTheRightAcceleration) {
@@ -98,6 +112,12 @@ TEST(Press, PullingTheStripOutTakesFrictionOnBothFaces) {
   const SolveResult result = run(scene);
   for (const double part : {0.5, 0.7, 0.9})  // all of it slides; what the gripped edge rests on is not friction's
     EXPECT_NEAR(at_part(result.history, "pull.force_N", part), 2.0 * 0.3 * 100.0, 0.6) << part;
+  // each plate, the one at rest too, shows its friction across its axis
+  for (const std::string plate : {"upper", "lower"}) {
+    EXPECT_NEAR(at_part(result.history, plate + ".force_x_N", 0.7), -0.3 * 100.0, 0.3) << plate;
+    EXPECT_NEAR(at_part(result.history, plate + ".force_y_N", 0.7), 0.0, 0.1) << plate;
+    EXPECT_NEAR(at_part(result.history, plate + ".force_z_N", 0.7), plate == "upper" ? -100.0 : 100.0, 0.5) << plate;
+  }
   EXPECT_LT(result.statistics.energy_error, 0.02);
 }
 
