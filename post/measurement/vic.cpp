@@ -33,6 +33,18 @@ int index_of(const PointTable& table, const char* name) {
 
 }  // namespace
 
+bool only_vic(const std::vector<std::string>& heading) {
+  const bool own_names = has(heading, kinds[0]) || has(heading, kinds[1]);
+  const auto x = find_column(heading, "x");
+  if (own_names || !x || !column_name(heading[*x]).unit.empty()) return true;
+  return std::all_of(heading.begin(), heading.end(), [](const std::string& cell) {
+    static const std::vector<std::string> known = {"x",     "y",   "u",   "v",     "q",     "r",          "theta",
+                                                   "sigma", "e1",  "e2",  "gamma", "Index", "index",      "n",
+                                                   "exx",   "eyy", "exy", "omega", "",      "e_vonmises", "e_tresca"};
+    return std::find(known.begin(), known.end(), column_name(cell).name) != known.end();
+  });
+}
+
 bool names_vic(const std::vector<std::string>& heading) {
   return std::any_of(kinds.begin(), kinds.end(), [&](const VicColumns& kind) { return has(heading, kind); });
 }
@@ -53,8 +65,12 @@ MeasuredStage read_vic(const PointTable& table, const MeasurementSpec& spec) {
   for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
     if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
   const bool bare = column_name(table.heading[lengths.front()]).unit.empty();
-  const double factor = kind->pixels && bare ? length_factor("px", spec, table.file, kind->position[0])
-                                             : common_length_factor(table, lengths, spec);
+  const bool alone = kind->pixels && bare && table.heading.size() == lengths.size();  // nothing tells the program
+  const bool pixels = kind->pixels && (bare ? spec.length_unit == "auto" || is_pixel(spec.length_unit)
+                                            : is_pixel(column_name(table.heading[lengths.front()]).unit));
+  const double factor = pixels && bare && !(alone && !spec.pixel_size && spec.length_unit == "auto")
+                            ? length_factor("px", spec, table.file, kind->position[0], stage.questions)
+                            : common_length_factor(table, lengths, spec, stage.questions);
   const auto sigma = find_column(table.heading, "sigma");
   if (sigma) columns.flags.push_back(static_cast<int>(*sigma));
   const int y_pixel = kind->pixels ? -1 : index_of(table, "y");
@@ -72,21 +88,24 @@ MeasuredStage read_vic(const PointTable& table, const MeasurementSpec& spec) {
   }
   stage.notes.push_back(sigma ? "failed correlations by: sigma < 0" : "failed correlations by: none in the file");
 
-  bool up = spec.y_axis == "up";
-  if (spec.y_axis == "auto" && !kind->pixels) {
-    const auto told = y_pixel >= 0 ? y_is_up(rows.flags.back(), rows.position) : std::nullopt;
-    if (!told)
-      throw InputError(
-          fmt::format("{}: does {} point up or down on the specimen? without the pixel column 'y' the file "
-                      "does not tell; set y_axis of [measurement]",
-                      table.file, kind->position[1]));
-    up = *told;
-  }
+  std::vector<std::string> own = {kind->position[0], kind->position[1], kind->position[2]};
+  const auto quality = quality_columns(table.heading, own);
+  if (!sigma && !quality.empty() && spec.format == "auto")
+    ask(stage.questions,
+        {fmt::format("{}: does '{}' tell failed points from good ones? map it as 'quality' with format = "
+                     "\"columns\", or say that the file is VIC's;",
+                     table.file, quality.front()),
+         "measurement.format", "vic"});
+  const auto told = pixels         ? std::optional(false)
+                    : y_pixel >= 0 ? y_is_up(rows.flags.back(), rows.position)
+                                   : std::nullopt;
+  const bool up = settle_up(spec, told, table.file, kind->position[1], stage.questions);
   if (!up) flip_y(rows);
-  stage.notes.push_back(fmt::format("VIC: columns {} {} and {} {}, y {}{}", kind->position[0], kind->position[1],
-                                    kind->displacement[0], kind->displacement[1], up ? "up" : "down, turned up",
+  stage.notes.push_back(fmt::format("{}: columns {} {} and {} {}, y {}{}", alone ? "table" : "VIC", kind->position[0],
+                                    kind->position[1], kind->displacement[0], kind->displacement[1],
+                                    up ? "up" : "down, turned up",
                                     spec.y_axis != "auto" ? " as the settings say"
-                                    : kind->pixels        ? ", the image's"
+                                    : pixels              ? ", the image's"
                                                           : ", told by the pixel column"));
   take_rows(std::move(rows), failed, stage);
   return stage;
