@@ -95,18 +95,6 @@ std::vector<Block> blocks_of(const std::vector<SplitLine>& lines, const RowShape
   return blocks;
 }
 
-void refuse_second_table(const std::vector<SplitLine>& lines, const std::vector<Block>& blocks, const Block& table,
-                         const std::string& file) {
-  for (const Block& block : blocks) {
-    if (block.begin == table.begin || block.rows < 2 || block.rows * like_size < table.rows) continue;
-    const auto& [first, second] = block.begin < table.begin ? std::pair(block, table) : std::pair(table, block);
-    throw InputError(fmt::format(
-        "{}:{}: after {} rows of numbers and a line of words a second block of {} rows begins; is it another "
-        "table? keep one in the file, or cut off the first with skip_lines = {}",
-        file, lines[second.begin].number, first.rows, second.rows, lines[first.end - 1].number));
-  }
-}
-
 // A unit alone in its cell, perhaps in brackets.
 bool names_unit(const std::string& cell) {
   if (cell.size() > 2 && (cell.front() == '(' || cell.front() == '[') && (cell.back() == ')' || cell.back() == ']'))
@@ -177,6 +165,30 @@ bool can_head(const SplitLine& line, std::size_t width) {
   return is_words(line) && (cells == width || cells + 1 == width || (cells == width + 1 && line.cells.back().empty()));
 }
 
+// The line that names a block's columns; null when there is none.
+const SplitLine* heading_of(const std::vector<SplitLine>& lines, const Block& block, std::size_t width) {
+  std::size_t k = block.begin;
+  if (k > 1 && can_head(lines[k - 1], width) && names_units(lines[k - 1]) && can_head(lines[k - 2], width)) --k;
+  return k > 0 && can_head(lines[k - 1], width) ? &lines[k - 1] : nullptr;
+}
+
+// A block under another heading is another table, such as the results that a machine writes first; one without a
+// heading, or under the same, is a second specimen.
+void refuse_second_table(const std::vector<SplitLine>& lines, const std::vector<Block>& blocks, const Block& table,
+                         const RowShape& shape, const std::string& file) {
+  const SplitLine* heading = heading_of(lines, table, shape.width);
+  for (const Block& block : blocks) {
+    if (block.begin == table.begin || block.rows < 2 || block.rows * like_size < table.rows) continue;
+    const SplitLine* other = heading_of(lines, block, shape.width);
+    if (heading != nullptr && other != nullptr && heading->cells != other->cells) continue;
+    const auto& [first, second] = block.begin < table.begin ? std::pair(block, table) : std::pair(table, block);
+    throw InputError(fmt::format(
+        "{}:{}: after {} rows of numbers and a line of words a second block of {} rows begins; is it another "
+        "table? keep one in the file, or cut off the first with skip_lines = {}",
+        file, lines[second.begin].number, first.rows, second.rows, lines[first.end - 1].number));
+  }
+}
+
 void find_heading(const std::vector<SplitLine>& lines, char delimiter, TableLayout& layout) {
   if (layout.begin == 0) return;
   const std::size_t last = layout.begin - 1;
@@ -228,7 +240,7 @@ TableLayout find_table(const std::vector<SplitLine>& lines, char delimiter, cons
   if (blocks.empty()) return layout;
   const Block table =
       *std::max_element(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.rows < b.rows; });
-  refuse_second_table(lines, blocks, table, file);
+  refuse_second_table(lines, blocks, table, shape, file);
   layout.begin = table.begin;
   layout.end = table.end;
   take_bad_first_rows(lines, shape, layout);

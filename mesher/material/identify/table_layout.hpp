@@ -31,7 +31,7 @@ struct TableLayout {
 // The rows are the largest block of lines that have numbers where the last lines of the file have them; the heading is
 // the last line without numbers above it, or the last but one when the last names units. Rows with words where numbers
 // should be stay part of the block, to be complained about. No rows: begin == end. Throws InputError when two blocks of
-// rows are of like size (`file` in messages).
+// rows are of like size and under one heading (`file` in messages).
 [[nodiscard]] TableLayout find_table(const std::vector<SplitLine>& lines, char delimiter, const std::string& file);
 
 // "lines 1 to 3 before the heading in line 5 skipped ..."; what of the file is no part of the table, in sentences.
