@@ -103,8 +103,18 @@ bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTabl
         fmt::format("{}: the comma cannot be both delimiter and decimal sign; save the file with ';' "
                     "between columns, or correct 'delimiter' or 'decimal'",
                     table.file));
-  if (format.decimal != "auto" || delimiter == ',') return format.decimal == "comma";
+  if (format.decimal != "auto") return format.decimal == "comma";
   bool comma = false;
+  if (delimiter == ',') {
+    // in quotes a comma separates nothing; but three digits after it may be thousands
+    for (const auto& row : table.cells)
+      for (const auto& cell : row) {
+        if (cell.find('.') != std::string::npos) return false;
+        const auto at = cell.find(',');
+        comma = comma || (at != std::string::npos && number_in(cell, true) && cell.size() - at != 4);
+      }
+    return comma;
+  }
   for (const auto& row : table.cells) {
     for (const auto& cell : row) {
       comma = comma || (cell.find(',') != std::string::npos && number_in(cell, true));
@@ -112,6 +122,23 @@ bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTabl
     }
   }
   return comma;
+}
+
+// "# time, force": the last comment above the rows when it has a name for every column; else none.
+std::vector<std::string> commented_heading(std::string_view text, char delimiter, int first_row, std::size_t width) {
+  std::vector<std::string> heading;
+  for (int number = 1; number < first_row && !text.empty(); ++number) {
+    const std::size_t end = text.find('\n');
+    const std::string line = trimmed(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!line.starts_with('#')) continue;
+    const SplitLine cells{
+        number, split(line.substr(line.find_first_not_of("# \t") == std::string::npos ? line.size()
+                                                                                      : line.find_first_not_of("# \t")),
+                      delimiter)};
+    if (cells.cells.size() == width && can_head(cells, width)) heading = cells.cells;
+  }
+  return heading;
 }
 
 // A delimiter at the end of every row makes a column of nothing.
@@ -176,7 +203,10 @@ RawTable read_raw_table(const std::string& text, const std::string& file, const 
   RawTable table;
   table.file = file;
   table.notes = lines_left_out(split_lines, layout);
-  if (layout.heading) table.heading = std::move(split_lines[*layout.heading].cells);
+  if (layout.heading)
+    table.heading = std::move(split_lines[*layout.heading].cells);
+  else
+    table.heading = commented_heading(plain, delimiter, split_lines[layout.begin].number, layout.width);
   if (layout.units) table.units = std::move(split_lines[*layout.units].cells);
   for (std::size_t k = layout.begin; k < layout.end; ++k) {
     table.line.push_back(split_lines[k].number);

@@ -75,6 +75,13 @@ bool is_row(const SplitLine& line, const RowShape& shape) {
                      [&](std::size_t c) { return is_number(line.cells[c]); });
 }
 
+// A line below the rows that begins with a word where they have a number: "Mean;2.4;60".
+bool is_footer(const SplitLine& line, const RowShape& shape) {
+  if (shape.numbers.empty() || shape.numbers.front() >= line.cells.size()) return false;
+  const std::string& cell = line.cells[shape.numbers.front()];
+  return has_letter(cell) && !says_missing(cell) && cell.find_first_of("0123456789") == std::string::npos;
+}
+
 struct Block {
   std::size_t begin = 0, end = 0, rows = 0;  // [begin, end) up to the next line of words
 };
@@ -159,12 +166,6 @@ bool names_units(const SplitLine& line) {
   return units > 0 && 2 * units >= filled;
 }
 
-// A line of words above the rows that can name their columns: as many cells as they, or one that misses an empty last.
-bool can_head(const SplitLine& line, std::size_t width) {
-  const std::size_t cells = line.cells.size();
-  return is_words(line) && (cells == width || cells + 1 == width || (cells == width + 1 && line.cells.back().empty()));
-}
-
 // The line that names a block's columns; null when there is none.
 const SplitLine* heading_of(const std::vector<SplitLine>& lines, const Block& block, std::size_t width) {
   std::size_t k = block.begin;
@@ -212,9 +213,26 @@ void take_bad_first_rows(const std::vector<SplitLine>& lines, const RowShape& sh
   if (first < layout.begin && first > 0 && can_head(lines[first - 1], shape.width)) layout.begin = first;
 }
 
+// "1,234.5" to "1234.5"; without a point, or with groups of other than three digits, the commas mean something else.
+void drop_thousands(std::string& cell) {
+  const auto point = cell.find('.');
+  auto comma = cell.find(',');
+  if (point == std::string::npos || comma == std::string::npos || comma > point) return;
+  for (std::size_t at = comma; at < point; at += 4)
+    if (cell[at] != ',' || at + 4 > point || cell.find_first_not_of("0123456789", at + 1) < at + 4) return;
+  for (; comma != std::string::npos; comma = cell.find(',')) cell.erase(comma, 1);
+}
+
 }  // namespace
 
+// A line of words above the rows that can name their columns: as many cells as they, or one that misses an empty last.
+bool can_head(const SplitLine& line, std::size_t width) {
+  const std::size_t cells = line.cells.size();
+  return is_words(line) && (cells == width || cells + 1 == width || (cells == width + 1 && line.cells.back().empty()));
+}
+
 std::optional<double> number_in(std::string cell, bool decimal_comma) {
+  if (!decimal_comma) drop_thousands(cell);
   if (decimal_comma) {
     if (cell.find('.') != std::string::npos) return std::nullopt;  // 1.234,5 or 1.5: which one is meant?
     std::replace(cell.begin(), cell.end(), ',', '.');
@@ -243,6 +261,7 @@ TableLayout find_table(const std::vector<SplitLine>& lines, char delimiter, cons
   refuse_second_table(lines, blocks, table, shape, file);
   layout.begin = table.begin;
   layout.end = table.end;
+  while (layout.end > layout.begin && is_footer(lines[layout.end - 1], shape)) --layout.end;
   take_bad_first_rows(lines, shape, layout);
   find_heading(lines, delimiter, layout);
   return layout;

@@ -23,7 +23,8 @@ struct TableLayout {
   std::size_t width = 0;           // cells of most rows
 };
 
-// The number a cell is, with a decimal comma or point; nothing when it is none.
+// The number a cell is, with a decimal comma, or with a point and perhaps commas between thousands ("1,234.5"); nothing
+// when it is none.
 [[nodiscard]] std::optional<double> number_in(std::string cell, bool decimal_comma);
 // Whether a cell says that there is no number ("", "NaN", "n/a", "-", ...).
 [[nodiscard]] bool says_missing(std::string cell);
@@ -33,6 +34,9 @@ struct TableLayout {
 // should be stay part of the block, to be complained about. No rows: begin == end. Throws InputError when two blocks of
 // rows are of like size and under one heading (`file` in messages).
 [[nodiscard]] TableLayout find_table(const std::vector<SplitLine>& lines, char delimiter, const std::string& file);
+
+// Whether a line of words can name the columns of rows of so many cells.
+[[nodiscard]] bool can_head(const SplitLine& line, std::size_t width);
 
 // "lines 1 to 3 before the heading in line 5 skipped ..."; what of the file is no part of the table, in sentences.
 [[nodiscard]] std::vector<std::string> lines_left_out(const std::vector<SplitLine>& lines, const TableLayout& layout);

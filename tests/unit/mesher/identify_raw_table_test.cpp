@@ -144,6 +144,28 @@ TEST(RawTable, WhatPrecedesTheHeadingIsSaidWithItsLines) {
   EXPECT_TRUE(table_of("x,y\n1,2\n3,4\n").notes.empty());
 }
 
+TEST(RawTable, ACommentCanBeTheHeading) {
+  const RawTable table = table_of("# by me\n# time, force\n1,2\n3,4\n5,6\n");
+  EXPECT_EQ(numbers_of(table, column_of(table, "force", "key")), (std::vector<double>{2, 4, 6}));
+  EXPECT_TRUE(table_of("# a remark\n1,2\n3,4\n5,6\n").heading.empty());
+}
+
+TEST(RawTable, ThousandsAndQuotedDecimalCommasAreRead) {
+  const std::vector<double> y = {999.5, 1000.25, 1234567.5};
+  const RawTable thousands = table_of("x,y\n1,\"999.5\"\n2,\"1,000.25\"\n3,\"1,234,567.5\"\n");
+  EXPECT_EQ(numbers_of(thousands, 1), y);
+  const RawTable commas = table_of("x,y\n\"1,0\",\"999,5\"\n\"2,0\",\"1000,25\"\n\"3,0\",\"1234567,5\"\n");
+  EXPECT_EQ(numbers_of(commas, 1), y);
+  EXPECT_NE(complaint_of("x,y\n1,\"1,000\"\n2,\"2,000\"\n").find("'1,000' is not a number"), std::string::npos)
+      << "one thousand, or one?";
+}
+
+TEST(RawTable, StatisticsBelowTheRowsAreNoRows) {
+  const RawTable table = table_of("x,y\n1,2\n3,4\n5,6\nMaximum,5,6\nMean,3,4\n");
+  EXPECT_EQ(numbers_of(table, 0), (std::vector<double>{1, 3, 5}));
+  EXPECT_EQ(table.notes, (std::vector<std::string>{"lines 5 to 6 after the last row skipped"}));
+}
+
 TEST(RawTable, ASecondTableIsRefusedWithItsLine) {
   EXPECT_NE(complaint_of("x,y\n1,2\n3,4\n5,6\nspecimen two,\nx,y\n1,2\n3,4\n5,6\n").find("t.csv:7: after 3 rows"),
             std::string::npos);
