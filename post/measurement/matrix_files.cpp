@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
-#include <string_view>
 
 namespace weaveform::dic {
 namespace {
@@ -12,6 +12,23 @@ namespace fs = std::filesystem;
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+// 'u', 'v', 'w', 'x' or 'y' when the word is a component's name behind the words `before`; else '\0'.
+char component_of(const std::string& word, const std::string& before) {
+  static const std::map<std::string, char> names = {{"u", 'u'},  {"ux", 'u'}, {"dx", 'u'}, {"v", 'v'}, {"uy", 'v'},
+                                                    {"dy", 'v'}, {"w", 'w'},  {"uz", 'w'}, {"dz", 'w'}};
+  if (const auto found = names.find(word); found != names.end()) return found->second;
+  if (word != "x" && word != "y" && word != "z") return '\0';
+  std::string last = before;
+  while (!last.empty() && !is_word(last.back())) last.pop_back();
+  if (last.ends_with("disp") || last.ends_with("displacement")) return static_cast<char>('u' + (word[0] - 'x'));
+  return word == "z" ? '\0' : word[0];
 }
 
 struct Stem {
@@ -34,13 +51,17 @@ Stem stem_of(const fs::path& file) {
 
 std::optional<MatrixName> matrix_name(const fs::path& file) {
   const Stem stem = stem_of(file);
-  constexpr std::string_view components = "uvwxy";
-  for (std::size_t end = stem.text.size(); end > 0; --end) {
-    const std::size_t k = end - 1;
-    const char c = static_cast<char>(std::tolower(static_cast<unsigned char>(stem.text[k])));
-    const bool alone = (k == 0 || !is_word(stem.text[k - 1])) && (end == stem.text.size() || !is_word(stem.text[end]));
-    if (alone && components.find(c) != std::string_view::npos)
-      return MatrixName{stem.text.substr(0, k), stem.text.substr(end), c, stem.unit};
+  const std::string lower = lower_case(stem.text);
+  for (std::size_t end = lower.size(); end > 0;) {
+    if (!is_word(lower[end - 1])) {
+      --end;
+      continue;
+    }
+    std::size_t begin = end;
+    while (begin > 0 && is_word(lower[begin - 1])) --begin;
+    const char component = component_of(lower.substr(begin, end - begin), lower.substr(0, begin));
+    if (component != '\0') return MatrixName{stem.text.substr(0, begin), stem.text.substr(end), component, stem.unit};
+    end = begin;
   }
   return std::nullopt;
 }

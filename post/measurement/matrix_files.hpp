@@ -1,6 +1,6 @@
 // Names of matrix files: MatchID, Ncorr and OpenCorr write one matrix of numbers for each component of each stage, and
 // only the file's name tells which it is: "stage1_U[mm].csv", "stage1_V[mm].csv"; "plot_u_dic_3.csv",
-// "plot_v_dic_3.csv".
+// "plot_v_dic_3.csv"; "disp_x.csv", "disp_y.csv".
 #pragma once
 
 #include <filesystem>

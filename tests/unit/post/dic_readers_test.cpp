@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mesher/base/error.hpp"
+#include "post/measurement/matrix_files.hpp"
 #include "post/measurement/measurement.hpp"
 #include "tests/support/run_command.hpp"
 
@@ -397,6 +398,41 @@ TEST_F(DicMatrix, AFolderOfMatricesIsOneStageForEachPair) {
   EXPECT_EQ(files[0].filename(), "s1_U[mm].csv");
   EXPECT_EQ(files[2].filename(), "s10_U[mm].csv");
   EXPECT_EQ(measurement_files({(folder_.path() / "s2_V[mm].csv").string()}).at(0).filename(), "s2_U[mm].csv");
+}
+
+TEST_F(DicMatrix, TheComponentIsAWordOfTheName) {
+  struct Case {
+    const char* name;
+    char component;
+    const char* unit;
+  };
+  for (const Case& c : std::vector<Case>{{"stage1_U[mm].csv", 'u', "mm"},
+                                         {"plot_v_dic_3.csv", 'v', ""},
+                                         {"W.txt", 'w', ""},
+                                         {"disp_x.csv", 'u', ""},
+                                         {"disp_y (px).csv", 'v', "px"},
+                                         {"run_x_Uy.csv", 'v', ""},
+                                         {"stage1_X[mm].csv", 'x', "mm"},
+                                         {"Displacement U [mm]_0002.csv", 'u', "mm"}}) {
+    const auto name = matrix_name(c.name);
+    ASSERT_TRUE(name.has_value()) << c.name;
+    EXPECT_EQ(name->component, c.component) << c.name;
+    EXPECT_EQ(name->unit, c.unit) << c.name;
+  }
+  for (const char* name : {"stage1.csv", "volume.csv", "stage_uv.csv", "[U].csv"})
+    EXPECT_FALSE(matrix_name(name).has_value()) << name;
+}
+
+TEST_F(DicMatrix, MatricesOfPlacesReplaceTheGrid) {
+  write_matrix("s_U[mm].csv", true);
+  write_matrix("s_V[mm].csv", false);
+  write_matrix("s_X[mm].csv", true);   // 0.1 (c - 7)
+  write_matrix("s_Y[mm].csv", false);  // -0.05 (r - 5)
+  spec.y_axis = "up";
+  const MeasuredStage one = stage("s_X[mm].csv");
+  EXPECT_NEAR(one.reference[16][0], -0.6, 1e-12);
+  EXPECT_NEAR(one.reference[16][1], 0.2, 1e-12);
+  EXPECT_TRUE(noted(one, "places by s_X[mm].csv and s_Y[mm].csv"));
 }
 
 TEST_F(DicMatrix, ZerosByTheHundredAreAskedAbout) {
