@@ -21,8 +21,8 @@ std::string format_of(const std::vector<std::string>& heading) {
   if (names_dice(heading)) return "dice";
   if (names_aramis(heading)) return "aramis";
   if (names_pyvale(heading)) return "pyvale";
-  if (names_opencorr(heading)) return "opencorr";
   if (names_matchid(heading)) return "matchid";
+  if (names_opencorr(heading)) return "opencorr";
   if (names_vic(heading)) return "vic";
   return "";
 }

@@ -33,9 +33,10 @@ std::vector<bool> failed_rows(const PointRows& rows, std::size_t correlations) {
 
 bool names_opencorr(const std::vector<std::string>& heading) {
   if (!has_columns(heading, {"x", "y", "u", "v"})) return false;
-  const bool planar = has_columns(heading, {"ZNCC"}) || has_columns(heading, {"zncc"}) ||
-                      has_columns(heading, {"u0", "v0"}) || has_columns(heading, {"ux", "uy", "vx", "vy"});
-  return planar || is_stereo(heading);
+  if (is_stereo(heading)) return true;
+  if (has_columns(heading, {"z"}) || has_columns(heading, {"w"})) return false;  // of a volume
+  return has_columns(heading, {"ZNCC"}) || has_columns(heading, {"zncc"}) ||
+         has_columns(heading, {"ux", "uy", "uxx", "vx", "vy", "vxx"});
 }
 
 MeasuredStage read_opencorr(const PointTable& table, const MeasurementSpec& spec) {
@@ -66,9 +67,17 @@ MeasuredStage read_opencorr(const PointTable& table, const MeasurementSpec& spec
         fmt::format("{}: is an OpenCorr stereo table, whose u, v, w and ref_ columns are lengths, but "
                     "length_unit of [measurement] is '{}'; give the unit of the calibration (mm, m, ...)",
                     table.file, spec.length_unit));
-  const double factor = stereo ? length_factor("", spec, table.file, "ref_x", stage.questions)
-                               : length_factor(spec.length_unit == "auto" ? "px" : spec.length_unit, spec, table.file,
-                                               "x", stage.questions);
+  // OpenCorr names no units; a user may have added them
+  std::vector<std::size_t> lengths;
+  for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
+    if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
+  const std::string written = column_name(table.heading[lengths.front()]).unit;
+  const std::string unit = !written.empty()             ? written
+                           : stereo                     ? ""
+                           : spec.length_unit == "auto" ? "px"
+                                                        : spec.length_unit;
+  const double factor = unit == written ? common_length_factor(table, lengths, spec, stage.questions)
+                                        : length_factor(unit, spec, table.file, "x", stage.questions);
   PointRows rows = read_points(table, columns, factor);
 
   std::string by;
@@ -76,7 +85,8 @@ MeasuredStage read_opencorr(const PointTable& table, const MeasurementSpec& spec
   stage.notes.push_back("failed correlations by: " + (by.empty() ? "none in the file" : by + " not above 0"));
   const std::vector<bool> failed = failed_rows(rows, correlations.size());
   // In stereo the world's y is whatever the calibration made it: the pixels tell, of good points only.
-  std::optional<bool> told = false;
+  std::optional<bool> told;
+  if (!stereo && is_pixel(unit)) told = false;
   if (stereo) {
     std::vector<double> pixel = rows.flags.back();
     for (std::size_t i = 0; i < pixel.size(); ++i)

@@ -311,6 +311,20 @@ TEST_F(DicReader, OpenCorrPlanarCountsFailuresByZncc) {
   }
 }
 
+// The same columns with a third axis are a volume's, with units a user's own: neither is read as pixels.
+TEST_F(DicReader, TablesLikeOpenCorrsAreNotTakenForPixels) {
+  spec.pixel_size = 0.05;
+  EXPECT_TRUE(says(refusal("x,y,z,u,v,w,ZNCC\n0,0,0,1,2,3,0.9\n1,0,0,1,2,3,0.9\n0,1,0,1,2,3,0.9\n1,1,0,1,2,3,0.9\n"),
+                   "which program wrote this?"));
+  const std::string lengths =
+      "x [mm],y [mm],u [mm],v [mm],ZNCC\n0,0,1,2,0.9\n1,0,1,2,0.9\n0,1,1,2,0.9\n1,1,1,2,-1\n0,2,1,2,0.9\n";
+  EXPECT_TRUE(says(refusal(lengths), "point up or down on the specimen?"));
+  spec.y_axis = "up";
+  const MeasuredStage stage = read(lengths);
+  EXPECT_EQ(stage.displacement_field[0], (Vec3{1.0, 2.0, 0.0}));
+  EXPECT_EQ(stage.failed, 1);
+}
+
 TEST_F(DicReader, MatchidTablesTellTheSenseOfYByTheirPixels) {
   std::string text =
       "Coordinates.Image X [Pixel],Coordinates.Image Y [Pixel],coor.X [mm],coor.Y [mm],coor.Z [mm],disp.Horizontal "
