@@ -11,6 +11,8 @@
 #include "app/console.hpp"
 #include "app/output_folder.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/base/files.hpp"
+#include "post/dic_settings/settings_form.hpp"
 #include "post/measurement/measurement.hpp"
 #include "post/virtual_dic/border.hpp"
 #include "post/virtual_dic/export.hpp"
@@ -29,6 +31,7 @@ struct DicArguments {
   std::string output;
   std::string format = "aramis";
   std::vector<double> facets = {2.0, 4.0, 6.0, 8.0, 10.0};
+  std::string form;  // settings file to be written
   bool keys = false, force = false, quiet = false;
 };
 
@@ -54,8 +57,27 @@ OutputClaim claim_of(const DicArguments& arguments, const fs::path& output, std:
           .force = arguments.force};
 }
 
+// The settings as they are, with what the measurement leaves open, as a file to fill in.
+void write_form(const DicArguments& arguments) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(arguments.form, ignored)))
+    throw InputError(
+        fmt::format("{}: is there already and is not overwritten; name another file for --write-settings, "
+                    "or remove it",
+                    arguments.form));
+  const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
+  const auto questions =
+      arguments.measurement.empty() ? dic::Questions{} : dic::questions_of(arguments.measurement, settings);
+  write_text_whole(arguments.form, dic::settings_form(settings, questions));
+  if (arguments.quiet) return;
+  for (const auto& question : questions) log_line(dic::question_line(question));
+  log_line(fmt::format("written: {}; {} question(s) to answer in it, then run with --settings {}", arguments.form,
+                       questions.size(), arguments.form));
+}
+
 void run_compare(const DicArguments& arguments) {
   if (arguments.keys) return print_answer(dic::settings_reference_markdown());
+  if (!arguments.form.empty()) return write_form(arguments);
   require_result(arguments);
   if (arguments.measurement.empty())
     throw InputError("MEASUREMENT is required: the files of the point fields, or their folder");
@@ -115,6 +137,10 @@ void add_dic_commands(CLI::App& post) {
   compare->add_option("MEASUREMENT", arguments->measurement, "Files of the measurement in order, or their folder");
   compare->add_option("-o,--output", arguments->output, "Folder of the comparison (default: RESULT/comparison)")
       ->type_name("DIR");
+  compare
+      ->add_option("--write-settings", arguments->form,
+                   "Write a settings file to fill in, with the questions that the measurement leaves open, and end")
+      ->type_name("FILE");
   compare->add_flag("--keys", arguments->keys, "Print every key of the settings file (Markdown)");
   add_force_argument(*compare, arguments->force);
   add_quiet_argument(*compare, arguments->quiet);

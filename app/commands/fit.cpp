@@ -34,6 +34,23 @@ std::vector<std::filesystem::path> input_files(const identify::FitSpec& spec) {
   return files;
 }
 
+// The card of an earlier fit into this folder, with what a person may have typed into it since.
+std::string replaced_card(const std::filesystem::path& directory) {
+  const auto file = directory / "card.toml";
+  return std::filesystem::is_regular_file(file) ? read_text_file(file, most_written_by_hand) : "";
+}
+
+// What was done to the rows of each specimen.
+void say_notes(const identify::Identification& found) {
+  const auto say = [](const auto& specimens) {
+    for (const auto& specimen : specimens)
+      for (const auto& note : specimen.notes) log_line(fmt::format("note: {}: {}", specimen.name, note));
+  };
+  for (const auto& yarn : found.yarns) say(yarn.specimens);
+  if (found.frame) say(found.frame->specimens);
+  if (found.bias) say(found.bias->specimens);
+}
+
 void fit(const FitArguments& arguments) {
   if (arguments.keys) return print_answer(identify::fit_reference_markdown());
   if (arguments.file.empty()) throw InputError("FIT is required; 'weaveform fit --help' tells more");
@@ -41,8 +58,9 @@ void fit(const FitArguments& arguments) {
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / file.stem()
                                                                    : std::filesystem::path(arguments.output);
   const auto spec = identify::read_fit(file);
-  const auto found = identify::identify(spec);
+  const auto found = identify::identify(spec, replaced_card(directory));
   for (const auto& warning : found.warnings) log_warning(warning);
+  if (!arguments.quiet) say_notes(found);
   const auto outputs = identify::output_files(found);
   OutputClaim claim{
       .directory = directory, .names = {}, .inputs = input_files(spec), .can_force = true, .force = arguments.force};

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "mesher/base/error.hpp"
+#include "mesher/drape/border_cells.hpp"
 #include "mesher/drape/generator.hpp"
 #include "mesher/drape/regions.hpp"
 #include "mesher/drape/start.hpp"
@@ -28,7 +29,7 @@ std::array<double, 3> array_of(const Vector3d& a) {
 
 // The mesh's lattice as seen from the seed.
 struct Lattice {
-  NetBox box;
+  NetBox box;                      // one crossing more than the mesh's on every side
   std::array<int, 2> seed;         // the mesh's crossing that lies on the seed
   std::vector<char> wanted;        // crossings of the blank
   std::vector<std::size_t> index;  // per mesh node; of a crossing
@@ -37,8 +38,8 @@ struct Lattice {
 Lattice lattice_of(const Mesh& mesh, const std::array<int, 2>& seed) {
   Lattice lattice;
   lattice.seed = seed;
-  lattice.box = {{-seed[0], -seed[1]}, mesh.lattice_size};
-  lattice.wanted.assign(static_cast<std::size_t>(mesh.lattice_size[0]) * mesh.lattice_size[1], 0);
+  lattice.box = {{-seed[0] - 1, -seed[1] - 1}, {mesh.lattice_size[0] + 2, mesh.lattice_size[1] + 2}};
+  lattice.wanted.assign(static_cast<std::size_t>(lattice.box.size[0]) * lattice.box.size[1], 0);
   lattice.index.assign(mesh.node_count(), 0);
   for (int n = 0; n < mesh.node_count(); ++n) {
     const auto& [i, j] = mesh.nodes.crossing[n];
@@ -101,6 +102,25 @@ void place_other_ends(const Mesh& mesh, const DrapeSurface& surface, const NetSt
   }
 }
 
+// Free ends on the tool: from their crossing towards the next one of the net beyond the outline, where there is one.
+void lay_free_ends(const Mesh& mesh, const DrapeSurface& surface, const DrapedNet& net, const std::array<int, 2>& seed,
+                   Drape& drape) {
+  drape.laid = drape.position;
+  int hint = 0;
+  for (const auto& tie : mesh.tie) {
+    if (drape.placed[tie.node] == 0 || tie.share >= 0.0 || mesh.nodes.crossing[tie.to[0]][0] < 0) continue;
+    const auto &a = mesh.nodes.crossing[tie.to[0]], &b = mesh.nodes.crossing[tie.to[1]];
+    const Vector3d x = vector_of(drape.position[tie.to[0]]);
+    Vector3d direction = vector_of(drape.position[tie.node]) - x;
+    const double length = direction.norm();
+    const int i = 2 * a[0] - b[0] - seed[0], j = 2 * a[1] - b[1] - seed[1];  // the crossing after a, away from b
+    if (net.box.holds(i, j) && net.placed[net.box.index(i, j)] == Placed::yes)
+      direction = net.position[net.box.index(i, j)] - x;
+    if (!(length > 0.0)) continue;
+    if (const auto found = next_along(surface, x, direction, length, hint)) drape.laid[tie.node] = array_of(*found);
+  }
+}
+
 // As the solver has them: sin gamma = g1.g2 of the unit yarn directions at the cell's centre; with the orientation
 // against the surface's normal, whose sense the flat blank's upper side has at the seed.
 void judge_cells(const Mesh& mesh, const DrapeSurface& surface, double sense, Drape& drape) {
@@ -126,13 +146,24 @@ void judge_cells(const Mesh& mesh, const DrapeSurface& surface, double sense, Dr
   }
 }
 
+void take_border_angles(const BorderAngles& border, Drape& drape) {
+  drape.extrapolated = border.extrapolated;
+  for (std::size_t c = 0; c < border.angle.size(); ++c)
+    if (!std::isnan(border.angle[c]) && !std::isnan(drape.shear_angle[c])) drape.shear_angle[c] = border.angle[c];
+}
+
 std::vector<DrapePlace> unreachable_places(const DrapedNet& net, const Lattice& lattice) {
   const NetBox& box = net.box;
   std::vector<char> marked(net.placed.size(), 0);
+  // what is laid for the border cells alone may end where it will
+  const std::vector<char> needed = needed_crossings(box, lattice.wanted);
   for (std::size_t k = 0; k < marked.size(); ++k)
-    marked[k] = net.placed[k] != Placed::yes && (lattice.wanted[k] != 0 || net.placed[k] == Placed::nothing) ? 1 : 0;
+    marked[k] =
+        net.placed[k] != Placed::yes && (lattice.wanted[k] != 0 || (needed[k] != 0 && net.placed[k] == Placed::nothing))
+            ? 1
+            : 0;
   std::vector<DrapePlace> places;
-  for (const Region& region : connected_regions(marked, box.size, lattice.seed)) {
+  for (const Region& region : connected_regions(marked, box.size, {lattice.seed[0] + 1, lattice.seed[1] + 1})) {
     const int i = region.first[0] + box.low[0], j = region.first[1] + box.low[1];
     // the entry nearest to the seed failed by itself; its neighbour towards the seed has the place to name
     Vector3d at = net.position[box.index(0, 0)];
@@ -186,7 +217,9 @@ Drape drape_blank(const Scene& scene, const Mesh& mesh) {
   const DrapeStart start = drape_start(scene, mesh);
   const Lattice lattice = lattice_of(mesh, start.crossing);
   const auto began = std::chrono::steady_clock::now();
-  const DrapedNet net = drape_net(*start.surface, start.net, lattice.box, lattice.wanted);
+  std::vector<char> wanted = lattice.wanted;
+  want_border_corners(mesh, start.crossing, lattice.box, wanted);
+  const DrapedNet net = drape_net(*start.surface, start.net, lattice.box, wanted);
   Drape drape;
   drape.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   drape.net_cells =
@@ -205,9 +238,11 @@ Drape drape_blank(const Scene& scene, const Mesh& mesh) {
   }
   place_tied_ends(mesh, drape);
   place_other_ends(mesh, *start.surface, start.net, drape);
+  lay_free_ends(mesh, *start.surface, net, start.crossing, drape);
   int hint = 0;
   const double sense = start.surface->at(start.net.seed, hint).gradient.dot(start.net.normal) < 0.0 ? -1.0 : 1.0;
   judge_cells(mesh, *start.surface, sense, drape);
+  take_border_angles(border_angles(mesh, start.crossing, net), drape);
   drape.length_error = greatest_length_error(mesh, drape);
   drape.unreachable = unreachable_places(net, lattice);
   drape.folds = fold_places(mesh, drape, start.crossing);

@@ -29,10 +29,16 @@ struct Drape {
   std::string tool;
   std::array<double, 3> seed = {0.0, 0.0, 0.0};  // mm; of the fabric's middle plane
   std::vector<std::array<double, 3>> position;   // mm; per node; not a number where there is no place
-  std::vector<char> placed;                      // per node
-  std::vector<std::array<double, 3>> carried;    // mm; per node: of crossings beyond a border, else not a number
-  std::vector<double> shear_angle;               // rad; per cell, not a number unless all its nodes have a place
-  std::vector<char> folded;                      // per cell: its orientation is against the tool's normal
+  // mm; per node: the same, but free yarn ends lie on the tool, as the net has them, and not in line with their yarn,
+  // as a solve has them
+  std::vector<std::array<double, 3>> laid;
+  std::vector<char> placed;                    // per node
+  std::vector<std::array<double, 3>> carried;  // mm; per node: of crossings beyond a border, else not a number
+  // rad; per cell, not a number unless all its nodes have a place; of cells that the outline cuts the net's at the
+  // centre of their shape (border_cells.hpp)
+  std::vector<double> shear_angle;
+  std::vector<char> extrapolated;  // per cell: cut, and the net beyond the outline leaves the tool there
+  std::vector<char> folded;        // per cell: its orientation is against the tool's normal
   std::vector<DrapePlace> unreachable, folds, tight;
   double length_error = 0.0;  // 1; greatest relative error of a yarn element between crossings
   int net_cells = 0;          // of the whole net, with what lies outside the blank but carries it

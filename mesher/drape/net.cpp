@@ -27,20 +27,6 @@ std::array<Quarter, 4> quarters(const NetBox& box) {
   return all;
 }
 
-// Every crossing that a wanted one hangs on is needed too.
-std::vector<char> needed_crossings(const NetBox& box, const std::vector<char>& wanted) {
-  std::vector<char> needed = wanted;
-  for (const Quarter& q : quarters(box))
-    for (int b = q.last[1]; b >= 0; --b)
-      for (int a = q.last[0]; a >= 0; --a) {
-        char& here = needed[box.index(q.i * a, q.j * b)];
-        for (const auto& [da, db] : {std::pair(1, 0), {0, 1}, {1, 1}})
-          if (a + da <= q.last[0] && b + db <= q.last[1] && needed[box.index(q.i * (a + da), q.j * (b + db))] != 0)
-            here = 1;
-      }
-  return needed;
-}
-
 void lay_generators(const DrapeSurface& surface, const NetStart& start, const std::vector<char>& needed,
                     DrapedNet& net) {
   int hint = 0;
@@ -121,6 +107,20 @@ void fill_quarter(const DrapeSurface& surface, const NetStart& start, const Quar
 }
 
 }  // namespace
+
+// Every crossing that a wanted one hangs on is needed too.
+std::vector<char> needed_crossings(const NetBox& box, const std::vector<char>& wanted) {
+  std::vector<char> needed = wanted;
+  for (const Quarter& q : quarters(box))
+    for (int b = q.last[1]; b >= 0; --b)
+      for (int a = q.last[0]; a >= 0; --a) {
+        char& here = needed[box.index(q.i * a, q.j * b)];
+        for (const auto& [da, db] : {std::pair(1, 0), {0, 1}, {1, 1}})
+          if (a + da <= q.last[0] && b + db <= q.last[1] && needed[box.index(q.i * (a + da), q.j * (b + db))] != 0)
+            here = 1;
+      }
+  return needed;
+}
 
 DrapedNet drape_net(const DrapeSurface& surface, const NetStart& start, const NetBox& box,
                     const std::vector<char>& wanted) {

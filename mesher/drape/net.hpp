@@ -52,6 +52,9 @@ struct DrapedNet {
   std::vector<Placed> placed;
 };
 
+// `wanted` and the crossings on the way from the generators to a wanted one.
+[[nodiscard]] std::vector<char> needed_crossings(const NetBox& box, const std::vector<char>& wanted);
+
 // `wanted`: one flag a crossing of the box; those on the way from the generators to a wanted one are laid too.
 [[nodiscard]] DrapedNet drape_net(const DrapeSurface& surface, const NetStart& start, const NetBox& box,
                                   const std::vector<char>& wanted);

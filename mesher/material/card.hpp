@@ -95,6 +95,8 @@ inline constexpr double valid_share = 0.02, tearing_share = 0.04;
 [[nodiscard]] Card load_card(const std::string& name_or_path, const std::filesystem::path& relative_to = {});
 // The same from text in memory; `name` stands for the file in messages.
 [[nodiscard]] Card read_card_text(const std::string& text, const std::string& name);
+// The text of a card as it stands, found as load_card finds it. Throws the same.
+[[nodiscard]] std::string card_text_of(const std::string& name_or_path, const std::filesystem::path& relative_to = {});
 // The complete card as TOML; reading it back gives the same card, to the bit.
 [[nodiscard]] std::string card_to_toml(const Card& card);
 // Every valid key of a card file; `table` is "", "yarn" (also for yarn.warp and yarn.weft) or "shear".

@@ -32,16 +32,33 @@ std::filesystem::path card_path(const std::string& path, const std::filesystem::
   return (is_folder ? relative_to : relative_to.parent_path()) / path;  // an absolute path stays as it is
 }
 
-Card load_card(const std::string& name_or_path, const std::filesystem::path& relative_to) {
+namespace {
+
+struct CardText {
+  std::string text, name;  // name: in messages
+};
+
+CardText find_card(const std::string& name_or_path, const std::filesystem::path& relative_to) {
   for (const auto& card : builtin_cards()) {
-    if (card.name == name_or_path) return read_card_text(card.text, "built-in card " + card.name);
+    if (card.name == name_or_path) return {std::string(card.text), "built-in card " + card.name};
   }
   const auto file = card_path(name_or_path, relative_to);
   if (!is_card_path(name_or_path) && !std::filesystem::exists(file)) {
     throw InputError(fmt::format("no built-in card is called '{}' and there is no file {}{}", name_or_path,
                                  file.string(), did_you_mean(name_or_path, builtin_card_names())));
   }
-  return read_card_text(read_text_file(file, most_written_by_hand), file.string());
+  return {read_text_file(file, most_written_by_hand), file.string()};
+}
+
+}  // namespace
+
+Card load_card(const std::string& name_or_path, const std::filesystem::path& relative_to) {
+  const CardText card = find_card(name_or_path, relative_to);
+  return read_card_text(card.text, card.name);
+}
+
+std::string card_text_of(const std::string& name_or_path, const std::filesystem::path& relative_to) {
+  return find_card(name_or_path, relative_to).text;
 }
 
 }  // namespace weaveform

@@ -130,7 +130,7 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
       key<&YarnFile::fibre_density>(
           {.name = "fibre_density", .unit = "g/cm^3", .limits = above(0, 30), .doc = "for Eq. 11"}),
       key<&YarnFile::matrix_density>(
-          {.name = "matrix_density", .unit = "g/cm^3", .limits = above(0, 30), .doc = "for Eq. 11"}),
+          {.name = "matrix_density", .unit = "g/cm^3", .limits = between(0, 30), .doc = "for Eq. 11; 0 for dry yarns"}),
       key<&YarnFile::interval>({.name = "interval",
                                 .unit = "mm",
                                 .limits = above(0),

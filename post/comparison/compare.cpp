@@ -21,6 +21,18 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+// Asks for the travel or load of the k-th stage when neither its file nor the settings tell it.
+void ask_state(const StagesSpec& spec, std::size_t k, const MeasuredStage& stage, Questions& questions) {
+  if (spec.match == "frame") return;
+  const bool by_force = spec.match == "force";
+  const auto& list = by_force ? spec.force : spec.displacement;
+  if (k < list.size() || (by_force ? stage.force : stage.displacement)) return;
+  ask(questions, {fmt::format("{}: at which {} was this stage taken? the file does not tell;", stage.label,
+                              by_force ? "load (N)" : "travel of the crosshead (mm)"),
+                  by_force ? "stages.force" : "stages.displacement",
+                  fmt::format("[{}]", by_force ? "LOAD_OF_EACH_STAGE" : "TRAVEL_OF_EACH_STAGE")});
+}
+
 // Which simulated state belongs to the k-th stage.
 class StageMatch {
 public:
@@ -44,10 +56,11 @@ public:
                                      stage.label, k + 1, list.size()));
       value = list[k];
     }
-    if (!value)
-      throw InputError(fmt::format("{}: at which {} was this stage taken? the file does not tell; set {} of [stages]",
-                                   stage.label, by_force ? "load (N)" : "travel of the crosshead (mm)",
-                                   by_force ? "force" : "displacement"));
+    if (!value) {
+      Questions questions;
+      ask_state(spec_, k, stage, questions);
+      throw_if_asked(questions);
+    }
     return by_force ? simulation_.at_force(*value, stage.label) : simulation_.at_travel(*value, stage.label);
   }
 
@@ -72,14 +85,23 @@ struct Anchor {
 };
 
 Anchor last_stage(const std::vector<fs::path>& files, const Settings& settings) {
-  auto stages = read_stages(files.back(), settings.measurement);
+  auto stages = read_stages_asking(files.back(), settings.measurement);
   std::size_t before = 0;
   // With a stage column a file holds any number of stages; otherwise one.
   if (!settings.measurement.stage_column.empty())
-    for (std::size_t f = 0; f + 1 < files.size(); ++f) before += read_stages(files[f], settings.measurement).size();
+    for (std::size_t f = 0; f + 1 < files.size(); ++f)
+      before += read_stages_asking(files[f], settings.measurement).size();
   else
     before = files.size() - 1;
   return {std::move(stages.back()), before + stages.size() - 1};
+}
+
+// What the stage's own file leaves open, then what the comparison needs beside it.
+Questions open_questions(const Anchor& anchor, const Settings& settings) {
+  Questions questions = anchor.stage.questions;
+  ask_instrument(settings.instrument, anchor.stage, questions);
+  ask_state(settings.stages, anchor.index, anchor.stage, questions);
+  return questions;
 }
 
 LineProfile profile_of(const LineSpec& spec, const StageFields& fields, const Instrument& instrument) {
@@ -180,6 +202,7 @@ public:
     if (settings_.measurement.stage_column.empty()) match_.check_count(files_.size());
     {
       const Anchor anchor = last_stage(files_, settings_);
+      throw_if_asked(open_questions(anchor, settings_));
       match_.check_count(anchor.index + 1);
       comparison_.instrument = settle_instrument(settings_.instrument, anchor.stage);
       comparison_.placement = place(anchor.stage, simulation_, match_.state(anchor.index, anchor.stage),
@@ -267,6 +290,10 @@ private:
 };
 
 }  // namespace
+
+Questions questions_of(const std::vector<std::string>& measurement, const Settings& settings) {
+  return open_questions(last_stage(measurement_files(measurement), settings), settings);
+}
 
 Comparison compare(const fs::path& result, const std::vector<std::string>& measurement, const Settings& settings,
                    const fs::path& output) {

@@ -59,6 +59,9 @@ struct Comparison {
 [[nodiscard]] Comparison compare(const std::filesystem::path& result, const std::vector<std::string>& measurement,
                                  const Settings& settings, const std::filesystem::path& output);
 
+// What must be answered before the measurement can be compared. Throws FileError, InputError.
+[[nodiscard]] Questions questions_of(const std::vector<std::string>& measurement, const Settings& settings);
+
 // What the user sees at the end: placement, instrument, one row per stage, zones of the last stage, load, verdict.
 [[nodiscard]] std::string verdict_table(const Comparison& comparison);
 

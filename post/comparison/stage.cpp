@@ -67,7 +67,23 @@ double estimated_uncertainty(const PointSet& points, const StageFields& fields, 
 
 }  // namespace
 
+void ask_instrument(const InstrumentSpec& spec, const MeasuredStage& stage, Questions& questions) {
+  if (!spec.facet_size && !(stage.header_facet > 0.0 && stage.header_step > 0.0))
+    ask(questions, {fmt::format("{}: how large is a facet (subset) on the specimen, in mm, 0 for none? the header does "
+                                "not tell;",
+                                stage.label),
+                    "instrument.facet_size", "2"});
+  if (!stage.gradient.empty() && !spec.window)
+    ask(questions, {fmt::format("{}: over how many points across were its deformation gradients fitted? the file does "
+                                "not tell;",
+                                stage.label),
+                    "instrument.window", "5"});
+}
+
 Instrument settle_instrument(const InstrumentSpec& spec, const MeasuredStage& stage) {
+  Questions questions;
+  ask_instrument(spec, stage, questions);
+  throw_if_asked(questions);
   Instrument instrument;
   instrument.fill = spec.fill;
   instrument.uncertainty = spec.uncertainty;
@@ -78,20 +94,10 @@ Instrument settle_instrument(const InstrumentSpec& spec, const MeasuredStage& st
   if (spec.facet_size) {
     instrument.facet_size = *spec.facet_size;
     instrument.origin += ", facet as given";
-  } else if (stage.header_facet > 0.0 && stage.header_step > 0.0) {
+  } else {
     instrument.facet_size = stage.header_facet / stage.header_step * instrument.step;
     instrument.origin += fmt::format(", facet: header's {} px at {} px of step", stage.header_facet, stage.header_step);
-  } else {
-    throw InputError(
-        fmt::format("{}: how large is a facet (subset) on the specimen, in mm? the header does not tell; set "
-                    "facet_size of [instrument] (0 for none)",
-                    stage.label));
   }
-  if (!stage.gradient.empty() && !spec.window)
-    throw InputError(fmt::format(
-        "{}: over how many points across were its deformation gradients fitted? the file does not tell; set "
-        "window of [instrument]",
-        stage.label));
   instrument.window = spec.window ? static_cast<int>(*spec.window) : stage.window.value_or(5);
   instrument.origin += spec.window    ? ", window as given"
                        : stage.window ? ", window: header's"

@@ -21,7 +21,9 @@ struct Instrument {
   std::string origin;                 // where the numbers come from, in words
 };
 
-// Throws InputError with the question when the facet size, or the window of measured gradients, is unknown.
+// Asks for the facet size, or the window of measured gradients, when they are unknown.
+void ask_instrument(const InstrumentSpec& spec, const MeasuredStage& stage, Questions& questions);
+// Throws InputError with the question when ask_instrument would ask one.
 [[nodiscard]] Instrument settle_instrument(const InstrumentSpec& spec, const MeasuredStage& stage);
 
 // What depends on the points only and is kept from stage to stage.

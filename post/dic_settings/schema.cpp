@@ -8,9 +8,11 @@ namespace weaveform::dic {
 namespace {
 
 const std::vector<Key<MeasurementSpec>> measurement_keys = {
-    key<&MeasurementSpec::format>({.name = "format",
-                                   .allowed = {"auto", "aramis", "dice", "vic", "pyvale", "columns"},
-                                   .doc = "`auto` goes by the column names; `columns`: any table, by the keys below"}),
+    key<&MeasurementSpec::format>(
+        {.name = "format",
+         .allowed = {"auto", "aramis", "dice", "vic", "pyvale", "opencorr", "matchid", "matrix", "columns"},
+         .doc = "`auto` goes by all the column names; `matrix`: a matrix for each component, in "
+                "files whose names say U and V; `columns`: any table, by the keys below"}),
     key<&MeasurementSpec::delimiter>(
         {.name = "delimiter",
          .doc = "`auto`, `comma`, `semicolon`, `tab`, `space`, or the one character that separates the columns"}),
@@ -45,6 +47,19 @@ const std::vector<Key<MeasurementSpec>> measurement_keys = {
         {.name = "quality_greatest", .unit = "1", .doc = "columns: greatest quality of a good point"}),
     key<&MeasurementSpec::stage_column>(
         {.name = "stage_column", .doc = "columns: number that tells the stages of one file apart"}),
+    key<&MeasurementSpec::grid_step>({.name = "grid_step",
+                                      .unit = "px",
+                                      .limits = above(0),
+                                      .doc = "matrix: pixels from one point to the next (Ncorr: its spacing plus 1)"}),
+    key<&MeasurementSpec::grid_pitch>(
+        {.name = "grid_pitch", .unit = "mm", .limits = above(0), .doc = "matrix: the same in mm, instead"}),
+    key<&MeasurementSpec::grid_first>(
+        {.name = "grid_first", .unit = "px", .doc = "matrix: column and row of the first point in the image"}),
+    key<&MeasurementSpec::grid_zeros>(
+        {.name = "grid_zeros",
+         .allowed = {"auto", "measured", "missing"},
+         .doc = "matrix: what points with displacements of exactly zero are; `auto`: measured when they are few, else "
+                "asked"}),
     key<&MeasurementSpec::displacement_signal>(
         {.name = "displacement_signal",
          .doc = "aramis: signal of the header that is the crosshead's displacement; left out: `displacement`"}),
@@ -212,16 +227,30 @@ bool wrong_kind(const toml::node& node, bool many, const std::string& name, Comp
 
 template <auto member, class Spec>
 SettingsTable one_table(const std::string& name, const std::string& doc, const std::vector<Key<Spec>>& keys) {
-  return {name, false, doc, describe_keys(name, keys),
+  return {name,
+          false,
+          doc,
+          describe_keys(name, keys),
           [name, &keys](const toml::node& node, Settings& settings, Complaints& complaints) {
             if (!wrong_kind(node, false, name, complaints))
               read_keys(*node.as_table(), "[" + name + "]", keys, settings.*member, complaints);
+          },
+          [&keys](const Settings& settings) {
+            std::vector<std::string> values;
+            for (const auto& key : keys) {
+              const std::string value = key.write(settings.*member).value_or("");
+              values.push_back(value == key.write(Spec{}).value_or("") ? "" : value);
+            }
+            return values;
           }};
 }
 
 template <auto member, class Spec>
 SettingsTable list_of_tables(const std::string& name, const std::string& doc, const std::vector<Key<Spec>>& keys) {
-  return {name, true, doc, describe_keys(name, keys),
+  return {name,
+          true,
+          doc,
+          describe_keys(name, keys),
           [name, &keys](const toml::node& node, Settings& settings, Complaints& complaints) {
             if (wrong_kind(node, true, name, complaints)) return;
             for (const auto& item : *node.as_array()) {
@@ -230,7 +259,8 @@ SettingsTable list_of_tables(const std::string& name, const std::string& doc, co
               require_keys(*item.as_table(), "[[" + name + "]]", keys, complaints);
               (settings.*member).push_back(spec);
             }
-          }};
+          },
+          [](const Settings&) { return std::vector<std::string>{}; }};
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct SettingsTable {
   std::string doc;
   std::vector<KeyInfo> keys;
   std::function<void(const toml::node&, Settings&, Complaints&)> read;
+  // Values that differ from the default, "" for the others, in the order of `keys`; empty for a list of tables.
+  std::function<std::vector<std::string>(const Settings&)> given;
 };
 
 // In the order of the reference.

@@ -96,7 +96,7 @@ MeasuredStage read_aramis(const PointTable& table, const MeasurementSpec& spec) 
   std::vector<std::size_t> lengths;
   for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
     if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
-  PointRows rows = read_points(table, columns, common_length_factor(table, lengths, spec));
+  PointRows rows = read_points(table, columns, common_length_factor(table, lengths, spec, stage.questions));
   if (spec.y_axis == "down") flip_y(rows);
   stage.notes.push_back(
       fmt::format("ARAMIS: positions of the undeformed stage, y {} as {}", spec.y_axis == "down" ? "down" : "up",

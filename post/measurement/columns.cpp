@@ -53,9 +53,10 @@ int required(const PointTable& table, const Named& named) {
                                did_you_mean(*named.second, table.heading)));
 }
 
-double factor_of(const PointTable& table, const std::vector<std::size_t>& lengths, const MeasurementSpec& spec) {
-  if (table.heading.empty()) return length_factor("", spec, table.file, spec.x);
-  return common_length_factor(table, lengths, spec);
+double factor_of(const PointTable& table, const std::vector<std::size_t>& lengths, const MeasurementSpec& spec,
+                 Questions& questions) {
+  if (table.heading.empty()) return length_factor("", spec, table.file, spec.x, questions);
+  return common_length_factor(table, lengths, spec, questions);
 }
 
 // Rows with the same value in the stage column, in the order they first appear.
@@ -108,9 +109,8 @@ bool names_columns(const std::vector<std::string>& heading, const MeasurementSpe
 }
 
 std::vector<MeasuredStage> read_mapped(const PointTable& table, const MeasurementSpec& spec) {
-  if (spec.y_axis == "auto")
-    throw InputError(
-        fmt::format("{}: does '{}' point up or down on the specimen? set y_axis of [measurement]", table.file, spec.y));
+  Questions questions;
+  (void)settle_up(spec, std::nullopt, table.file, "'" + spec.y + "'", questions);
   PointColumns columns;
   columns.x = required(table, {"x", &spec.x});
   columns.y = required(table, {"y", &spec.y});
@@ -123,7 +123,7 @@ std::vector<MeasuredStage> read_mapped(const PointTable& table, const Measuremen
     if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
   if (!spec.quality.empty()) columns.flags.push_back(required(table, {"quality", &spec.quality}));
   if (!spec.stage_column.empty()) columns.flags.push_back(required(table, {"stage_column", &spec.stage_column}));
-  const PointRows rows = read_points(table, columns, factor_of(table, lengths, spec));
+  const PointRows rows = read_points(table, columns, factor_of(table, lengths, spec, questions));
 
   const std::string file = std::filesystem::path(table.file).filename().string();
   std::vector<std::size_t> all(rows.position.size());
@@ -131,11 +131,13 @@ std::vector<MeasuredStage> read_mapped(const PointTable& table, const Measuremen
   if (spec.stage_column.empty()) {
     std::vector<MeasuredStage> one = {stage_of(rows, all, spec)};
     one.front().label = file;
+    one.front().questions = questions;
     return one;
   }
   std::vector<MeasuredStage> stages;
   for (const auto& index : rows_by_stage(rows.flags.back())) {
     stages.push_back(stage_of(rows, index, spec));
+    stages.back().questions = questions;
     stages.back().label = fmt::format("{} ({} = {})", file, spec.stage_column, rows.flags.back()[index.front()]);
   }
   return stages;

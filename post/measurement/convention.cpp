@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -17,11 +19,40 @@ const std::map<std::string, double> millimetres = {
     {"\xB5m", 1e-3}, {"in", 25.4}, {"inch", 25.4}, {"\"", 25.4}, {"micron", 1e-3},
 };
 
-bool is_pixel(const std::string& unit) {
-  return unit == "px" || unit == "pixel" || unit == "pixels" || unit == "Pixel" || unit == "pix";
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
 }  // namespace
+
+bool is_pixel(const std::string& unit) {
+  const std::string word = lower_case(unit);
+  return word == "px" || word == "pixel" || word == "pixels" || word == "pix";
+}
+
+bool settle_up(const MeasurementSpec& spec, const std::optional<bool>& told, const std::string& file,
+               const std::string& column, Questions& questions) {
+  if (spec.y_axis != "auto") return spec.y_axis == "up";
+  if (!told)
+    ask(questions, {fmt::format("{}: does {} point up or down on the specimen? the file does not tell;", file, column),
+                    "measurement.y_axis", "up"});
+  return told.value_or(false);
+}
+
+std::vector<std::string> quality_columns(const std::vector<std::string>& heading,
+                                         const std::vector<std::string>& known) {
+  std::vector<std::string> found;
+  for (const std::string& cell : heading) {
+    const std::string name = column_name(cell).name, word = lower_case(name);
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    constexpr std::array<const char*, 10> words = {"corr", "ncc",   "quality", "valid", "status",
+                                                   "flag", "match", "conver",  "error", "residu"};
+    if (std::any_of(words.begin(), words.end(), [&](const char* w) { return word.find(w) != std::string::npos; }))
+      found.push_back(cell);
+  }
+  return found;
+}
 
 ColumnName column_name(const std::string& heading) {
   const auto open = heading.find_first_of("[(");
@@ -44,12 +75,13 @@ bool has_columns(const std::vector<std::string>& heading, const std::vector<std:
 }
 
 double length_factor(const std::string& unit, const MeasurementSpec& spec, const std::string& file,
-                     const std::string& column) {
+                     const std::string& column, Questions& questions) {
   const bool stated = spec.length_unit != "auto";
-  if (unit.empty() && !stated)
-    throw InputError(
-        fmt::format("{}: column '{}' has no unit: is it in mm, m, um, in or pixels? set length_unit of [measurement]",
-                    file, column));
+  if (unit.empty() && !stated) {
+    ask(questions, {fmt::format("{}: column '{}' has no unit: is it in mm, m, um, in or pixels?", file, column),
+                    "measurement.length_unit", "mm"});
+    return 1.0;
+  }
   if (stated && !unit.empty() && spec.length_unit != unit && !(is_pixel(spec.length_unit) && is_pixel(unit)))
     throw InputError(
         fmt::format("{}: column '{}' says [{}], but length_unit of [measurement] is '{}'; which is right? "
@@ -58,8 +90,9 @@ double length_factor(const std::string& unit, const MeasurementSpec& spec, const
   const std::string& use = unit.empty() ? spec.length_unit : unit;
   if (is_pixel(use)) {
     if (spec.pixel_size) return *spec.pixel_size;
-    throw InputError(fmt::format(
-        "{}: column '{}' is in pixels: how many mm is one pixel? set pixel_size of [measurement]", file, column));
+    ask(questions, {fmt::format("{}: column '{}' is in pixels: how many mm is one pixel?", file, column),
+                    "measurement.pixel_size", "0.05"});
+    return 1.0;
   }
   const auto found = millimetres.find(use);
   if (found == millimetres.end())
@@ -71,13 +104,13 @@ double length_factor(const std::string& unit, const MeasurementSpec& spec, const
 }
 
 double common_length_factor(const PointTable& table, const std::vector<std::size_t>& columns,
-                            const MeasurementSpec& spec) {
+                            const MeasurementSpec& spec, Questions& questions) {
   const std::string& first = table.heading[columns.front()];
   for (const std::size_t column : columns)
     if (column_name(table.heading[column]).unit != column_name(first).unit)
       throw InputError(fmt::format("{}: columns '{}' and '{}' differ in their unit; export both in one", table.file,
                                    first, table.heading[column]));
-  return length_factor(column_name(first).unit, spec, table.file, column_name(first).name);
+  return length_factor(column_name(first).unit, spec, table.file, column_name(first).name, questions);
 }
 
 PointRows read_points(const PointTable& table, const PointColumns& columns, double factor) {

@@ -20,14 +20,23 @@ struct ColumnName {
 [[nodiscard]] std::optional<std::size_t> find_column(const std::vector<std::string>& heading, const std::string& name);
 [[nodiscard]] bool has_columns(const std::vector<std::string>& heading, const std::vector<std::string>& names);
 
-// mm per unit of a column. `unit` is what the file says ("" when nothing). Throws InputError with the question when
-// neither file nor settings decide, or when they contradict each other.
+// mm per unit of a column. `unit` is what the file says ("" when nothing). When neither file nor settings decide it
+// asks and gives 1. Throws InputError when they contradict each other.
 [[nodiscard]] double length_factor(const std::string& unit, const MeasurementSpec& spec, const std::string& file,
-                                   const std::string& column);
+                                   const std::string& column, Questions& questions);
+[[nodiscard]] bool is_pixel(const std::string& unit);
+
+// Whether y points up: as the settings say, else as `told`; asks when neither does. `column` is y's.
+[[nodiscard]] bool settle_up(const MeasurementSpec& spec, const std::optional<bool>& told, const std::string& file,
+                             const std::string& column, Questions& questions);
+
+// Columns that by their names may tell failed points from good ones, of those that `known` does not list.
+[[nodiscard]] std::vector<std::string> quality_columns(const std::vector<std::string>& heading,
+                                                       const std::vector<std::string>& known);
 
 // One factor for all of the columns, which must have the same unit.
 [[nodiscard]] double common_length_factor(const PointTable& table, const std::vector<std::size_t>& columns,
-                                          const MeasurementSpec& spec);
+                                          const MeasurementSpec& spec, Questions& questions);
 
 // Columns that make points; an index of -1 stands for a column there is not.
 struct PointColumns {

@@ -63,8 +63,8 @@ MeasuredStage read_dice(const PointTable& table, const MeasurementSpec& spec) {
     }
   }
   if (model && pixels) columns.flags.push_back(required(table, "COORDINATE_Y"));
-  const double factor = model ? length_factor("", spec, table.file, position + "X")
-                              : length_factor("px", spec, table.file, position + "X");
+  const double factor = model ? length_factor("", spec, table.file, position + "X", stage.questions)
+                              : length_factor("px", spec, table.file, position + "X", stage.questions);
   PointRows rows = read_points(table, columns, factor);
 
   std::vector<bool> failed(rows.position.size(), false);
@@ -77,16 +77,8 @@ MeasuredStage read_dice(const PointTable& table, const MeasurementSpec& spec) {
   for (const auto& name : flags) flag_words += (flag_words.empty() ? "" : ", ") + name;
   stage.notes.push_back("failed correlations by: " + flag_words);
 
-  bool up = spec.y_axis == "up";
-  if (spec.y_axis == "auto" && model) {
-    const auto told = pixels ? y_is_up(rows.flags.back(), rows.position) : std::nullopt;
-    if (!told)
-      throw InputError(
-          fmt::format("{}: does MODEL_COORDINATES_Y point up or down on the specimen? the file does not "
-                      "tell; set y_axis of [measurement]",
-                      table.file));
-    up = *told;
-  }
+  const auto told = !model ? std::optional(false) : pixels ? y_is_up(rows.flags.back(), rows.position) : std::nullopt;
+  const bool up = settle_up(spec, told, table.file, position + "Y", stage.questions);
   if (!up) flip_y(rows);
   stage.notes.push_back(fmt::format("DICe: {}, y {}{}", model ? "stereo (MODEL_ columns)" : "pixels",
                                     up ? "up" : "down, turned up",

@@ -1,7 +1,7 @@
 // A measured point field, whatever program wrote it: reference positions and displacements in mm, x to the right, y up.
-// Readers (one file each: aramis, dice, vic, pyvale, columns) turn a program's conventions into this one and say what
-// they did; a convention that the file does not decide and the user has not stated is an InputError with the question.
-// Strain columns are never read.
+// Readers (one file each: aramis, dice, vic, pyvale, opencorr, matchid, matrix, columns) know a format by all its
+// columns, turn the program's conventions into this one and say what they did; what the file does not decide and the
+// user has not stated is asked (question.hpp). Strain columns are never read.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "post/measurement/question.hpp"
 #include "solver/result/fields.hpp"
 
 namespace weaveform::dic {
 
 // [measurement] of the settings file (settings.hpp says what each key means).
 struct MeasurementSpec {
-  std::string format = "auto";     // "auto", "aramis", "dice", "vic", "pyvale", "columns"
+  std::string format = "auto";  // "auto", "aramis", "dice", "vic", "pyvale", "opencorr", "matchid", "matrix", "columns"
   std::string delimiter = "auto";  // "auto", "comma", "semicolon", "tab", "space", or one character
   std::string decimal = "auto";    // "auto", "point", "comma"
   std::string length_unit = "auto";
@@ -26,7 +27,11 @@ struct MeasurementSpec {
   std::string x, y, z, u, v, w;        // columns: names, or numbers from 1
   std::string quality;                 // columns: a point is valid when quality_least <= quality <= quality_greatest
   std::optional<double> quality_least, quality_greatest;
-  std::string stage_column;                                     // columns: tells the stages of one file apart
+  std::string stage_column;  // columns: tells the stages of one file apart
+  // matrix: from point to point in pixels, or in mm; of the first column and row in pixels; what zeros are
+  std::optional<double> grid_step, grid_pitch;
+  std::array<double, 2> grid_first = {0.0, 0.0};
+  std::string grid_zeros = "auto";                              // "auto", "measured", "missing"
   std::string displacement_signal, force_signal;                // aramis: names among the header's signals
   double displacement_factor = 1.0, displacement_offset = 0.0;  // crosshead: factor * signal + offset, mm
   double force_factor = 1.0;                                    // N per unit of the signal
@@ -45,13 +50,18 @@ struct MeasuredStage {
   std::vector<bool> valid;
   int missing = 0, failed = 0;     // rows without a position or displacement; rows whose correlation failed
   std::vector<std::string> notes;  // what was decided and why, for the report
+  Questions questions;             // open ones: the numbers mean nothing until they are answered
   [[nodiscard]] std::size_t size() const { return reference.size(); }
 };
 
-// A folder stands for its .txt, .csv and .dat files in the order of the numbers in their names. Throws FileError.
+// A folder stands for its .txt, .csv and .dat files in the order of the numbers in their names; of the matrices of one
+// stage, one file stands for all. Throws FileError.
 [[nodiscard]] std::vector<std::filesystem::path> measurement_files(const std::vector<std::string>& arguments);
 
-// The stage, or with `stage_column` the stages, of a file. Throws FileError, InputError.
+// The stage, or with `stage_column` the stages, of a file. Throws FileError; InputError, also with the open questions.
 [[nodiscard]] std::vector<MeasuredStage> read_stages(const std::filesystem::path& file, const MeasurementSpec& spec);
+// The same with the open questions in the stages instead.
+[[nodiscard]] std::vector<MeasuredStage> read_stages_asking(const std::filesystem::path& file,
+                                                            const MeasurementSpec& spec);
 
 }  // namespace weaveform::dic

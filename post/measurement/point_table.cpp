@@ -13,6 +13,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/base/plain_text.hpp"
 #include "mesher/base/toml_document.hpp"
 
 namespace weaveform::dic {
@@ -59,10 +60,8 @@ private:
 };
 
 std::vector<char> delimiters_of(const TableHints& hints) {
-  static const std::map<std::string, char> named = {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"space", ' '}};
   if (hints.delimiter == "auto") return {';', '\t', ',', ' '};
-  const auto found = named.find(hints.delimiter);
-  return {found != named.end() ? found->second : hints.delimiter.front()};
+  return {delimiter_named(hints.delimiter)};
 }
 
 // A row holds no words: it is empty, a comment, or numbers and signs for missing ones.
@@ -88,7 +87,11 @@ std::optional<double> parsed(std::string_view cell, bool decimal_comma) {
 bool says_missing(std::string_view cell) {
   std::string word(cell);
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array words = {"", "nan", "na", "n/a", "-", "--", "null", "none", "-nan", "1.#qnan", "-1.#ind"};
+  constexpr std::array words = {"", "nan", "na", "n/a", "-", "--", "null", "none", "-nan", "1.#qnan", "-1.#ind",
+                                // NaN of .NET in Italian, German, French, Spanish, Polish, Russian (small and capital)
+                                "non un numero reale", "n. def.", "non num\xC3\xA9rique", "neun",
+                                "nie jest liczb\xC4\x85", "\xD0\xBD\xD0\xB5 \xD1\x87\xD0\xB8\xD1\x81\xD0\xBB\xD0\xBE",
+                                "\xD0\x9D\xD0\xB5 \xD1\x87\xD0\xB8\xD1\x81\xD0\xBB\xD0\xBE"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -155,6 +158,12 @@ bool all_numbers(const std::vector<std::string>& cells, std::size_t wanted) {
 
 }  // namespace
 
+char delimiter_named(const std::string& name) {
+  static const std::map<std::string, char> named = {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"space", ' '}};
+  const auto found = named.find(name);
+  return found != named.end() ? found->second : name.front();
+}
+
 std::vector<std::string> split_cells(std::string_view line, char delimiter) {
   std::vector<std::string> cells;
   for_cells(line, delimiter, [&](std::size_t, std::string_view cell) { cells.emplace_back(cell); });
@@ -170,10 +179,10 @@ double number_of(std::string_view text) {
 PointTable open_point_table(const std::filesystem::path& file, const TableHints& hints, const IsHeading& is_heading) {
   PointTable table;
   table.file = file.string();
-  table.text = read_text_file(file);
+  table.text = plain_text(read_text_file(file));
   if (table.text.find('\0') != std::string::npos)
     throw InputError(fmt::format("{}: is not plain text; export the points as text (CSV)", table.file));
-  Lines lines(table.text, table.text.starts_with("\xEF\xBB\xBF") ? 3 : 0, 1);
+  Lines lines(table.text, 0, 1);
   while (lines.advance() && lines.number() <= heading_lines) {
     std::string_view line = lines.line();
     const bool comment = is_comment(line);

@@ -38,10 +38,13 @@ struct TableHints {
                                           const IsHeading& is_heading);
 
 // The numbers of the columns (0-based), column by column; not a number where a cell is empty or says that there is none
-// ("NaN", "n/a", "-", ...). Throws InputError with file and line of rows that have another number of cells than the
-// heading, and of cells that are no numbers.
+// ("NaN", "n/a", "-", or what .NET writes for it in a user's language, ...). Throws InputError with file and line of
+// rows that have another number of cells than the heading, and of cells that are no numbers.
 [[nodiscard]] std::vector<std::vector<double>> read_columns(const PointTable& table,
                                                             const std::vector<std::size_t>& columns);
+
+// The character a delimiter's name stands for ("comma", "semicolon", "tab", "space", or the character itself).
+[[nodiscard]] char delimiter_named(const std::string& name);
 
 // Cells of a line: trimmed, without quotes; with ' ' as delimiter any number of blanks is one.
 [[nodiscard]] std::vector<std::string> split_cells(std::string_view line, char delimiter);

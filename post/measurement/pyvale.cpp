@@ -75,7 +75,7 @@ MeasuredStage read_pyvale(const PointTable& table, const MeasurementSpec& spec) 
                     "tell; compare pyvale's displacement file instead",
                     table.file));
   const bool windows = index_of(table, "window_x") >= 0;
-  const double factor = length_factor("px", spec, table.file, windows ? "window_x" : "subset_x");
+  const double factor = length_factor("px", spec, table.file, windows ? "window_x" : "subset_x", stage.questions);
   const bool down = spec.y_axis != "up";
   stage.notes.push_back(fmt::format("pixels, y {}{}", down ? "down, turned up" : "up",
                                     spec.y_axis == "auto" ? ", the image's" : " as the settings say"));

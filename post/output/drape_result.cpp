@@ -37,15 +37,16 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
   flat->SetNumberOfComponents(3);
   for (int n = 0; n < mesh.node_count(); ++n) {
     if (drape.placed[n] == 0) continue;
-    point[n] = points->InsertNextPoint(drape.position[n].data());
+    point[n] = points->InsertNextPoint(drape.laid[n].data());
     flat->InsertNextTuple(mesh.nodes.position[n].data());
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
   angle->SetName("shear_angle_deg");
   absolute_angle->SetName("absolute_shear_angle_deg");
-  vtkNew<vtkUnsignedCharArray> folded, family;
+  vtkNew<vtkUnsignedCharArray> folded, extrapolated, family;
   folded->SetName("folded");
+  extrapolated->SetName("extrapolated");
   family->SetName("family");
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const vtkIdType ends[2] = {point[mesh.yarns.node[e][0]], point[mesh.yarns.node[e][1]]};
@@ -54,6 +55,7 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
     angle->InsertNextValue(0.0);
     absolute_angle->InsertNextValue(0.0);
     folded->InsertNextValue(0);
+    extrapolated->InsertNextValue(0);
     family->InsertNextValue(mesh.yarns.family[e] == Family::warp ? 1 : 2);
   }
   for (int c = 0; c < mesh.cells.size(); ++c) {
@@ -65,10 +67,11 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
     angle->InsertNextValue(drape.shear_angle[c] * to_deg);
     absolute_angle->InsertNextValue(std::abs(drape.shear_angle[c]) * to_deg);
     folded->InsertNextValue(static_cast<unsigned char>(drape.folded[c]));
+    extrapolated->InsertNextValue(static_cast<unsigned char>(drape.extrapolated[c]));
     family->InsertNextValue(0);
   }
   grid->GetPointData()->AddArray(flat);
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{angle, absolute_angle, folded, family})
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{angle, absolute_angle, folded, extrapolated, family})
     grid->GetCellData()->AddArray(array);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
@@ -95,6 +98,7 @@ DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape) {
     if (std::isnan(drape.shear_angle[c])) continue;
     ++s.cells_placed;
     s.folded_cells += drape.folded[c];
+    s.extrapolated_cells += drape.extrapolated[c];
     if (drape.folded[c] != 0) continue;
     const double degrees = std::abs(drape.shear_angle[c]) * to_deg;
     s.max_shear_angle_deg = std::max(s.max_shear_angle_deg, degrees);
@@ -122,6 +126,7 @@ void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const D
                                {"unreachable_crossings", s.unreachable_crossings},
                                {"cells_beyond_card", s.cells_beyond_card},
                                {"max_shear_angle_deg", s.max_shear_angle_deg},
+                               {"extrapolated_cells", s.extrapolated_cells},
                                {"mean_shear_angle_deg", s.mean_shear_angle_deg},
                                {"flat_area_mm2", pattern_area(pattern)},
                                {"length_error", drape.length_error},
@@ -141,6 +146,11 @@ std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drap
       "kept to {:.1g}; {:.3g} cells/s",
       drape.tool, s.cells_placed, s.cells, s.folded_cells, s.max_shear_angle_deg, s.mean_shear_angle_deg,
       drape.length_error, s.cells_per_s);
+  if (s.extrapolated_cells > 0)
+    text += fmt::format(
+        "\nnote: {} cells cut by the blank's edge where the tool ends: their angle continues the tool in its "
+        "tangent plane (array 'extrapolated' of drape.vtu)",
+        s.extrapolated_cells);
   constexpr std::size_t most = 5;  // of a kind; the file has all
   for (const auto* places : {&drape.unreachable, &drape.folds, &drape.tight})
     for (std::size_t k = 0; k < places->size(); ++k) {

@@ -1,5 +1,6 @@
 // What `weaveform drape` leaves: the drape as a result in itself.
-//   drape.vtu         the cells and yarn elements that have a place: cell data shear_angle_deg, folded; point data
+//   drape.vtu         the cells and yarn elements that have a place: cell data shear_angle_deg, folded, extrapolated;
+//   point data
 //                     flat_position_mm
 //   flat_pattern.csv  outline of the draped part of the blank, flat (mesher/drape/flat_pattern.hpp)
 //   drape.json        cells, greatest angle, what is wrong and where, rate
@@ -15,6 +16,7 @@ namespace weaveform {
 
 struct DrapeSummary {
   int cells = 0, cells_placed = 0, folded_cells = 0, unreachable_crossings = 0, cells_beyond_card = 0;
+  int extrapolated_cells = 0;  // cut by the outline where the net beyond it leaves the tool
   double max_shear_angle_deg = 0.0,
          mean_shear_angle_deg = 0.0;  // of magnitudes, placed and unfolded cells; mean by area
   double cells_per_s = 0.0;

@@ -268,8 +268,8 @@ Match best_trial(const Matcher& matcher, const Cloud& cloud, const FlatMesh& fla
     };
     throw InputError(
         fmt::format("{}: the field fits the blank as well at {:.1f} deg as at {:.1f} deg: which way does "
-                    "the blank's x axis point in the measurement? set angle of [registration], or give "
-                    "marks",
+                    "the blank's x axis point in the measurement? set angle of [registration] (--set "
+                    "registration.angle=DEGREES), or give marks",
                     stage.label, degrees(best.reference), degrees(other.reference)));
   }
   return best;

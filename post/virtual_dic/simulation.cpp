@@ -44,7 +44,8 @@ std::string moving_grip(const History& history, const std::string& asked, const 
   if (moving.size() == 1) return moving.front();
   std::string names;
   for (const auto& name : moving) names += (names.empty() ? "" : ", ") + name;
-  throw InputError(fmt::format("{}: {}; whose travel is the crosshead's? set grip of [stages]", directory.string(),
+  throw InputError(fmt::format("{}: {}; whose travel is the crosshead's? set grip of [stages] (--set stages.grip=NAME)",
+                               directory.string(),
                                moving.empty() ? "nothing moves in this simulation" : "several move (" + names + ")"));
 }
 

@@ -43,10 +43,20 @@ void measurement(std::string_view bytes) {
   for (const auto& told : answers()) answered([&] { static_cast<void>(dic::read_stages(file.path(), told)); });
 }
 
+// The same bytes for both components.
+void matrix(std::string_view bytes) {
+  const ScratchFile u("stage_0001_U[mm].csv", bytes), v("stage_0001_V[mm].csv", bytes);
+  static const auto told = dic::read_settings("", {"measurement.format=matrix", "measurement.grid_pitch=1",
+                                                   "measurement.grid_zeros=missing", "measurement.y_axis=up"})
+                               .measurement;
+  for (const auto& spec : {dic::MeasurementSpec{}, told})
+    answered([&] { static_cast<void>(dic::read_stages(u.path(), spec)); });
+}
+
 }  // namespace
 
 std::vector<Target> table_targets() {
-  return {{"table", table}, {"outline", outline}, {"measurement", measurement}};
+  return {{"table", table}, {"outline", outline}, {"measurement", measurement}, {"matrix", matrix}};
 }
 
 }  // namespace weaveform::fuzz

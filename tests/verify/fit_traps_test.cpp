@@ -96,6 +96,103 @@ TEST(FitTraps, ABrokenSpecimenIsCutAtItsGreatestLoad) {
             std::string::npos);
 }
 
+// A rod of 20 GPa to 1.6 %, then it breaks and the extensometer jumps: those rows, sorted, would lie before the first.
+TEST(FitTraps, RowsAfterABreakAreCutInTheOrderOfRecording) {
+  const std::string fit =
+      "name = 'a'\nbase = 'twintex-pw'\n[[tensile]]\nname = 'rod'\nfiles = ['yarn.csv']\nstrain_column = 'x'\n"
+      "strain_unit = '%'\nstrain = 'engineering'\nstress_column = 'y'\n";
+  for (const double jump : {-3.0, 0.4, 9.0}) {
+    const test::FitFolder folder;
+    Rows rows;
+    for (int k = 0; k < 80; ++k) rows.x.push_back(0.02 * k), rows.y.push_back(4.0 * k);
+    const Rows whole = rows;
+    for (int k = 0; k < 15; ++k) rows.x.push_back(jump - 0.1 * k), rows.y.push_back(40.0);
+    folder.write_curve("yarn.csv", rows.x, rows.y);
+    const auto found = folder.identify(fit);
+    EXPECT_NEAR(found.card.yarn[0].linear_modulus, 20458.0, 1.0) << jump;
+    EXPECT_NE(found.yarns[0].specimens[0].notes.at(0).find("the 15 rows after the greatest stress cut off"),
+              std::string::npos);
+    folder.write_curve("yarn.csv", whole.x, whole.y);
+    EXPECT_EQ(folder.identify(fit).card.yarn[0].linear_modulus, found.card.yarn[0].linear_modulus);
+  }
+}
+
+TEST(FitTraps, NegativeStrainsAreAskedAboutByAKeyThatIsThere) {
+  const test::FitFolder folder;
+  const std::string fit =
+      "name = 'a'\nbase = 'twintex-pw'\n[[tensile]]\nname = 'rod'\nfiles = ['yarn.csv']\nstrain_column = 'x'\n"
+      "stress_column = 'y'\n";
+  folder.write_curve("yarn.csv", test::evenly(0.0, -0.02, 50), test::evenly(0.0, 400.0, 50));
+  EXPECT_NE(folder.complaint(fit).find("say strain_factor = -1"), std::string::npos) << folder.complaint(fit);
+  EXPECT_GT(folder.identify(fit + "strain_factor = -1\n").card.yarn[0].linear_modulus, 19000.0);
+}
+
+TEST(FitTraps, TheNotesSayWhichLinesOfAMachinesFileWereSkipped) {
+  const test::FitFolder folder;
+  std::string text = "Specimen properties : Width,\"4.00000\",mm\nSpecimen label,\"Y1\"\n\nTime,x,y\n(s),(mm),(N)\n";
+  for (int k = 0; k < 60; ++k) text += fmt::format("\"{}\",\"{}\",\"{}\"\n", 0.1 * k, 0.05 * k, 1.25 * k);
+  folder.write("yarn.csv", text);
+  std::string fit = yarn_fit;
+  fit.replace(fit.find("1000"), 4, "100");
+  const auto found = folder.identify(fit);
+  EXPECT_NEAR(found.card.yarn[0].linear_modulus, 2050.0, 50.0);  // 2000 engineering
+  EXPECT_EQ(found.yarns[0].specimens[0].notes.at(0), "lines 1 to 2 before the heading in line 4 skipped");
+}
+
+TEST(FitTraps, BendingAndADryYarnsSectionReachTheCard) {
+  const test::FitFolder folder;
+  const Rows rows = yarn_rows();
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  // of the base card
+  EXPECT_EQ(folder.identify(yarn_fit).card.bending, load_card("twintex-pw").bending);
+  // of the fit file, over the base card's
+  const auto typed = folder.identify(yarn_fit + "[bending]\nrigidity = 3.5\n[yarn]\nsection = 1.25\n");
+  EXPECT_EQ(typed.card.bending.rigidity, (std::array<double, 2>{3.5, 3.5}));
+  EXPECT_EQ(typed.card.bending.twist, load_card("twintex-pw").bending.twist);
+  // a dry yarn: Eq. 11 without a matrix
+  const auto dry = folder.identify(yarn_fit +
+                                   "[yarn]\nlinear_density = 600\nfibre_volume_fraction = 0.6\nfibre_density = 2.5\n"
+                                   "matrix_density = 0\n");
+  EXPECT_NEAR(dry.card.yarn[0].section, 600e-6 / (0.6 * 2.5e-3), 1e-12);
+  // another yarn has another section: by the base card's Eq. 11
+  const auto other = folder.identify(yarn_fit + "[yarn]\nlinear_density = 935\n");
+  EXPECT_NEAR(other.card.yarn[0].section, 0.5 * 1.2598, 1e-3);
+}
+
+TEST(FitTraps, NothingTypedIntoACardIsLostAtTheNextFit) {
+  const test::FitFolder folder;
+  const Rows rows = yarn_rows();
+  folder.write_curve("yarn.csv", rows.x, rows.y);
+  const std::string fit = yarn_fit.substr(0, yarn_fit.find("base")) + yarn_fit.substr(yarn_fit.find("[[tensile]]")) +
+                          "[yarn]\nlinear_density = 1870\ninterval = 4.92\nsection = 1.25\ncrimp = 2\n";
+  const std::string rest =
+      "[[shear_frame]]\nname = 'f'\nfiles = ['frame.csv']\nangle_column = 'x'\n"
+      "normalised_force_column = 'y'\n";
+  std::vector<double> angles = test::evenly(0.0, 40.0, 60), forces;
+  for (const double angle : angles) forces.push_back(0.01 * angle);
+  folder.write_curve("frame.csv", angles, forces);
+  const std::string text = "thickness = 0.5\n" + fit + rest;
+  const auto first = folder.identify(text);
+  EXPECT_FALSE(first.card.bending.rigidity.has_value());
+  std::string edited = first.card_text + "\n[bending]\nrigidity = [2.0, 3.0]\ntwist = 0.25\n";
+  edited.insert(edited.find("[yarn.weft]"), "bending_out_of_plane = [{ from = 0.0, coefficients = [5.0] }]\n");
+  const auto spec = identify::read_fit_text(text, (folder.path() / "fit.toml").string());
+  const auto again = identify::identify(spec, edited);
+  EXPECT_EQ(again.card.bending.rigidity, (std::array<double, 2>{2.0, 3.0}));
+  EXPECT_EQ(again.card.bending.twist, 0.25);
+  EXPECT_FALSE(again.card.yarn[0].bending_out_of_plane.pieces().empty());
+  const auto says = [&](const identify::Identification& found, const std::string& words) {
+    return std::any_of(found.warnings.begin(), found.warnings.end(),
+                       [&](const auto& warning) { return warning.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says(again, "carried over from the card that is replaced: rigidity, twist of [bending]"));
+  // what the fit gives otherwise is told
+  edited.replace(edited.find("section = 1.25"), 14, "section = 0.80");
+  const auto other = identify::identify(spec, edited);
+  EXPECT_EQ(other.card.yarn[0].section, 1.25);
+  EXPECT_TRUE(says(other, "section = 0.8 in [yarn.warp], this fit gives 1.25"));
+}
+
 TEST(FitTraps, LoadsInKilonewtonsCalledNewtonsAreAskedAbout) {
   const test::FitFolder folder;
   Rows rows = yarn_rows();

@@ -15,9 +15,11 @@
 namespace weaveform::identify {
 namespace {
 
-constexpr std::size_t least_points = 8;  // below, neither a slope nor its scatter can be told
-constexpr double most_missing = 0.5;     // share of rows
-constexpr double break_drop = 0.10;      // of the greatest load: more than noise, less than any broken yarn
+constexpr std::size_t least_points = 8;   // below, neither a slope nor its scatter can be told
+constexpr double most_missing = 0.5;      // share of rows
+constexpr double break_drop = 0.10;       // of the greatest load: more than noise, less than any broken yarn
+constexpr double most_steps_back = 0.05;  // share of the steps up to the greatest load: noise about the start
+constexpr double jump_steps = 10.0, jump_share = 0.05;  // of the usual step, of the range: what only a break does
 constexpr double loop_scatter = 0.10;    // of the greatest load, median between neighbours in displacement
 constexpr double negative_share = 0.05;  // of the greatest magnitude: an offset, not another sign
 
@@ -44,6 +46,32 @@ void drop_missing(Curve& curve) {
                     curve.specimen, missing, kept.size()));
   keep_rows(curve, kept);
   curve.notes.push_back(fmt::format("{} rows without a value left out", missing));
+}
+
+// After a break the extensometer jumps, and its rows, once sorted, lie among those of the loading: so they go first,
+// while the rows are in the order of recording. A jump tells the break from unloading, which is as steady as the
+// loading.
+void cut_recorded_break(Curve& curve, const Channel& x, const Channel& y) {
+  const auto peak = static_cast<std::size_t>(std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin());
+  if (peak < 2 || !(curve.y[peak] > 0.0)) return;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i <= peak; ++i) steps.push_back(curve.x[i] - curve.x[i - 1]);
+  const auto back = std::count_if(steps.begin(), steps.end(), [](double step) { return step < 0.0; });
+  if (static_cast<double>(back) > most_steps_back * static_cast<double>(steps.size())) return;  // not in that order
+  for (double& step : steps) step = std::abs(step);
+  const double jump = std::max(jump_steps * median_of(steps), jump_share * std::abs(curve.x[peak] - curve.x.front()));
+  std::size_t fallen = peak + 1;
+  while (fallen < curve.y.size() && curve.y[fallen] >= (1.0 - break_drop) * curve.y[peak]) ++fallen;
+  if (fallen == curve.y.size()) return;
+  bool jumps = false;
+  for (std::size_t i = peak + 1; i < curve.x.size(); ++i) jumps = jumps || std::abs(curve.x[i] - curve.x[i - 1]) > jump;
+  if (!jumps) return;
+  curve.notes.push_back(
+      fmt::format("the {} falls from {:.4g} to {:.4g} and the {} jumps, as of a specimen that broke; the {} rows after "
+                  "the greatest {} cut off",
+                  y.name, curve.y[peak], curve.y[fallen], x.name, curve.x.size() - peak - 1, y.name));
+  curve.x.resize(peak + 1);
+  curve.y.resize(peak + 1);
 }
 
 void sort_rows(Curve& curve, const Channel& x) {
@@ -159,14 +187,14 @@ std::vector<double> values_of(const RawTable& table, const Channel& channel) {
 // Curves of a file, in the order in which its specimens first appear.
 std::vector<Curve> split_specimens(const RawTable& table, const TestSpec& test, const std::string& label,
                                    const std::vector<double>& x, const std::vector<double>& y) {
-  if (test.specimen_column.empty()) return {Curve{label, x, y, {}}};
+  if (test.specimen_column.empty()) return {Curve{label, x, y, table.notes}};
   const std::size_t column = column_of(table, test.specimen_column, "specimen_column");
   std::vector<Curve> curves;
   std::map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const std::string& name = table.cells[i][column];
     const auto [found, is_new] = place.emplace(name, curves.size());
-    if (is_new) curves.push_back({fmt::format("{}, specimen {}", label, name), {}, {}, {}});
+    if (is_new) curves.push_back({fmt::format("{}, specimen {}", label, name), {}, {}, table.notes});
     curves[found->second].x.push_back(x[i]);
     curves[found->second].y.push_back(y[i]);
   }
@@ -177,6 +205,8 @@ std::vector<Curve> split_specimens(const RawTable& table, const TestSpec& test, 
 
 Curve prepared_curve(Curve raw, const Channel& x, const Channel& y) {
   drop_missing(raw);
+  refuse_few(raw);
+  cut_recorded_break(raw, x, y);
   refuse_few(raw);
   refuse_negative(raw, raw.x, x);
   refuse_negative(raw, raw.y, y);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "mesher/base/error.hpp"
@@ -12,6 +13,7 @@ namespace weaveform::identify {
 namespace {
 
 const std::vector<std::string> families = {"warp", "weft"};
+constexpr double same_yarn = 0.01;  // relative, between linear densities: as exact as sections are given
 
 const toml::table* table_at(const toml::table& parent, const std::string& name, const std::string& title,
                             Complaints& complaints) {
@@ -19,6 +21,19 @@ const toml::table* table_at(const toml::table& parent, const std::string& name, 
   if (node == nullptr) return nullptr;
   if (!node->is_table()) complaints.add(*node, fmt::format("'{}' must be a table; begin it with [{}]", name, title));
   return node->as_table();
+}
+
+// What the base says for Eq. 11: from it the section follows another linear density.
+void keep_densities(const toml::table& card, const std::string& family, YarnFile& yarn) {
+  const auto typed = [&](const char* key) {
+    const auto own = card["yarn"][family][key].value<double>();
+    return own ? own : card["yarn"][key].value<double>();
+  };
+  const auto fibre = typed("fibre_density"), matrix = typed("matrix_density"), share = typed("fibre_volume_fraction");
+  if (!fibre || !matrix || !share) return;
+  yarn.fibre_volume_fraction = share;
+  yarn.fibre_density = fibre;
+  yarn.matrix_density = matrix;
 }
 
 void read_base(const toml::table& root, FitSpec& spec, Complaints& complaints) {
@@ -30,24 +45,41 @@ void read_base(const toml::table& root, FitSpec& spec, Complaints& complaints) {
     for (const auto& line : error.complaints()) complaints.add(*root.get("base"), line);
   }
   if (!spec.has_base) return;
+  spec.bending = spec.base.bending;
   // The base in the words of a card file, so that the keys of the fit file can replace any of them.
   const toml::table card = parse_toml(card_to_toml(spec.base), "base card");
+  const toml::table typed = parse_toml(card_text_of(spec.head.base, spec.file), "base card");
   for (std::size_t f = 0; f < families.size(); ++f) {
     Complaints none("base card");
     read_keys(*card["yarn"][families[f]].as_table(), "[yarn]", yarn_keys(), spec.yarn[f], none);
+    keep_densities(typed, families[f], spec.yarn[f]);
   }
 }
 
-// A section given by the fit file replaces the base card's Eq. 11 and the reverse.
+// A section given by the fit file replaces the base card's Eq. 11 and the reverse; another linear density makes a
+// section of its own.
 void read_yarn_table(const toml::table& table, const std::string& title, YarnFile& yarn, Complaints& complaints) {
   const auto has = [&](const char* name) { return table.contains(name); };
-  if (has("fibre_volume_fraction") || has("fibre_density") || has("matrix_density")) yarn.section.reset();
+  const bool densities = has("fibre_volume_fraction") || has("fibre_density") || has("matrix_density");
+  const double linear_density = yarn.linear_density;
+  const bool had_section = yarn.section.has_value();
+  if (densities) yarn.section.reset();
   if (has("section")) yarn.fibre_volume_fraction = yarn.fibre_density = yarn.matrix_density = std::nullopt;
   if (has("compression")) yarn.compression_modulus.reset();
   if (has("compression_modulus")) yarn.compression.clear();
   if (has("tension"))
     yarn.linear_modulus = yarn.compression_modulus = yarn.valid_to = yarn.tearing_strain = std::nullopt;
   read_keys(table, title, yarn_keys(), yarn, complaints, title == "[yarn]" ? families : std::vector<std::string>{});
+  if (!had_section || !has("linear_density") || has("section") || densities) return;
+  if (std::abs(yarn.linear_density / linear_density - 1.0) < same_yarn) return;
+  const bool eq11 = yarn.fibre_volume_fraction && yarn.fibre_density && yarn.matrix_density;
+  if (eq11)
+    yarn.section.reset();
+  else
+    complaints.add(*table.get("linear_density"),
+                   fmt::format("{} has another linear density ({} tex) than the base card ({} tex), whose section {} "
+                               "mm^2 goes with that; add 'section' (mm^2), or what Eq. 11 needs",
+                               title, yarn.linear_density, linear_density, *yarn.section));
 }
 
 void read_yarns(const toml::table& root, FitSpec& spec, Complaints& complaints) {
@@ -87,8 +119,13 @@ std::vector<TestSpec> read_tests(const toml::table& root, const std::string& nam
     require_keys(*item.as_table(), "[[" + name + "]]", keys, complaints);
     if (item.as_table()->contains("files") && test.files.empty())
       complaints.add(*item.as_table()->get("files"), "'files' names no file; name at least one");
-    if (test.displacement_factor == 0.0) complaints.add(item, "'displacement_factor' is 0; it must not be");
-    if (test.force_factor == 0.0) complaints.add(item, "'force_factor' is 0; it must not be");
+    for (const auto& [key, factor] : {std::pair("displacement_factor", test.displacement_factor),
+                                      {"force_factor", test.force_factor},
+                                      {"strain_factor", test.strain_factor},
+                                      {"stress_factor", test.stress_factor},
+                                      {"angle_factor", test.angle_factor},
+                                      {"normalised_force_factor", test.normalised_force_factor}})
+      if (factor == 0.0) complaints.add(item, fmt::format("'{}' is 0; it must not be", key));
     tests.push_back(test);
   }
   return tests;
@@ -198,10 +235,12 @@ FitSpec read_fit_text(const std::string& text, const std::string& name) {
   FitSpec spec;
   spec.file = name;
   read_keys(root, "a fit file", fit_head_keys(), spec.head, complaints,
-            {"yarn", "shear", "tensile", "shear_frame", "bias_extension"});
+            {"yarn", "shear", "bending", "tensile", "shear_frame", "bias_extension"});
   require_keys(root, "the fit file", fit_head_keys(), complaints);
   read_base(root, spec, complaints);
   read_yarns(root, spec, complaints);
+  if (const auto* table = table_at(root, "bending", "bending", complaints))
+    read_keys(*table, "[bending]", bending_keys(), spec.bending, complaints);
   if (const auto* table = table_at(root, "shear", "shear", complaints))
     read_keys(*table, "[shear]", shear_fit_keys(), spec.shear, complaints);
   spec.tensile = read_tests(root, "tensile", tensile_keys(), complaints);

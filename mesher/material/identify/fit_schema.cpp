@@ -65,6 +65,7 @@ Keys tensile_only() {
       key<&TestSpec::strain_column>({.name = "strain_column", .doc = "instead of displacement and force"}),
       key<&TestSpec::strain_unit>(
           {.name = "strain_unit", .allowed = unit_names(Quantity::strain), .doc = "of `strain_column`"}),
+      key<&TestSpec::strain_factor>({.name = "strain_factor", .unit = "1", .doc = "times `strain_column`, e.g. -1"}),
       key<&TestSpec::strain>({.name = "strain",
                               .allowed = {"true", "engineering"},
                               .doc = "what `strain_column` holds; the law uses true strain, ln(1 + l/l0)"}),
@@ -72,6 +73,7 @@ Keys tensile_only() {
           {.name = "stress_column", .doc = "force over the unstretched section; goes with `strain_column`"}),
       key<&TestSpec::stress_unit>(
           {.name = "stress_unit", .allowed = unit_names(Quantity::stress), .doc = "of `stress_column`"}),
+      key<&TestSpec::stress_factor>({.name = "stress_factor", .unit = "1", .doc = "times `stress_column`, e.g. -1"}),
       key<&TestSpec::stress>({.name = "stress",
                               .allowed = {"true", "nominal"},
                               .doc = "the law's stress: over the stretched section, so that a model with "
@@ -93,11 +95,14 @@ Keys frame_only() {
       key<&TestSpec::angle_column>({.name = "angle_column", .doc = "shear angle, instead of displacement and force"}),
       key<&TestSpec::angle_unit>(
           {.name = "angle_unit", .allowed = unit_names(Quantity::angle), .doc = "of `angle_column`"}),
+      key<&TestSpec::angle_factor>({.name = "angle_factor", .unit = "1", .doc = "times `angle_column`, e.g. -1"}),
       key<&TestSpec::normalised_force_column>(
           {.name = "normalised_force_column", .doc = "shear force of Eq. 13; goes with `angle_column`"}),
       key<&TestSpec::normalised_force_unit>({.name = "normalised_force_unit",
                                              .allowed = unit_names(Quantity::force_per_length),
                                              .doc = "of `normalised_force_column`"}),
+      key<&TestSpec::normalised_force_factor>(
+          {.name = "normalised_force_factor", .unit = "1", .doc = "times `normalised_force_column`, e.g. -1"}),
   };
 }
 
@@ -191,8 +196,8 @@ std::string fit_reference_markdown() {
                  describe_keys("shear_frame", shear_frame_keys())) +
          section("`[[bias_extension]]`", "Bias-extension tests; as many tables as needed.",
                  describe_keys("bias_extension", bias_extension_keys())) +
-         "\n### `[yarn]`, `[yarn.warp]`, `[yarn.weft]`\n\nThe keys of a card (`docs/card.md`), each optional when the "
-         "base card has it. `section` and the three keys of Eq. 11 replace each other, "
+         "\n### `[yarn]`, `[yarn.warp]`, `[yarn.weft]`, `[bending]`\n\nThe keys of a card (`docs/card.md`), each "
+         "optional when the base card has it. `section` and the three keys of Eq. 11 replace each other, "
          "and so do `compression_modulus` and `compression`.\n";
 }
 

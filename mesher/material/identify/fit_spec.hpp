@@ -53,9 +53,11 @@ struct TestSpec {
   std::string yarn = "both";  // "warp", "weft", "both"
   std::string strain_column;
   std::string strain_unit = "1";
+  double strain_factor = 1.0;
   std::string strain = "true";  // "true" or "engineering"
   std::string stress_column;
   std::string stress_unit = "MPa";
+  double stress_factor = 1.0;
   std::string stress = "true";         // the law's: "true", or "nominal" (force over the unstretched section)
   std::optional<double> gauge_length;  // mm
   std::optional<std::array<double, 2>> elastic_range;  // 1; true strain; none: found
@@ -63,8 +65,10 @@ struct TestSpec {
   // [[shear_frame]]
   std::string angle_column;
   std::string angle_unit = "deg";
+  double angle_factor = 1.0;
   std::string normalised_force_column;
   std::string normalised_force_unit = "N/mm";
+  double normalised_force_factor = 1.0;
   std::optional<double> frame_length;   // mm; L_F
   std::optional<double> fabric_length;  // mm; L_f
 
@@ -79,6 +83,7 @@ struct FitSpec {
   Card base;  // the base card, or one without laws
   bool has_base = false;
   std::array<YarnFile, 2> yarn;  // base completed by the file's [yarn], [yarn.warp], [yarn.weft]
+  BendingCard bending;           // base completed by the file's [bending]; no test here measures it
   ShearFitSpec shear;
   std::vector<TestSpec> tensile, shear_frame, bias_extension;
   [[nodiscard]] double confidence() const { return head.confidence / 100.0; }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/material/identify/carried_parts.hpp"
 #include "mesher/material/identify/decrimping.hpp"
 #include "mesher/material/identify/shear_tests.hpp"
 
@@ -82,11 +83,10 @@ ShearFile fitted_shear(const ShearFit& fit) {
   return shear;
 }
 
-std::string family_text(const Identification& found, std::size_t f) {
+YarnFile yarn_file(const Identification& found, std::size_t f) {
   const auto& measured = found.yarn[f];
   const YarnFile& before = found.spec.yarn[f];
-  const YarnFile yarn = measured ? fitted_yarn(before, found.yarns[*measured]) : before;
-  return fmt::format("\n[yarn.{}]\n{}", families[f], write_keys(yarn_keys(), yarn, Echo::given));
+  return measured ? fitted_yarn(before, found.yarns[*measured]) : before;
 }
 
 std::string shear_text(const Identification& found) {
@@ -97,14 +97,23 @@ std::string shear_text(const Identification& found) {
   return "\n[shear]\n" + write_keys(shear_keys(), shear);
 }
 
-void make_card(Identification& found) {
+void make_card(Identification& found, const std::string& replaced) {
   const FitHead& head = found.spec.head;
   std::string source = head.source;
   if (found.spec.has_base)
     source += fmt::format("{}parts not measured are those of {}", source.empty() ? "" : "; ", head.base);
+  CardParts parts{{yarn_file(found, 0), yarn_file(found, 1)}, found.spec.bending};
+  if (!replaced.empty()) {
+    const auto said = carry_typed_parts(replaced, parts);
+    found.warnings.insert(found.warnings.end(), said.begin(), said.end());
+  }
   found.card_text = "# Made by weaveform fit. Units: mm, MPa, tex; angles in degrees.\n" +
-                    write_keys(head_keys(), HeadFile{head.name, source, found.spec.thickness()}) +
-                    family_text(found, 0) + family_text(found, 1) + shear_text(found);
+                    write_keys(head_keys(), HeadFile{head.name, source, found.spec.thickness()});
+  for (std::size_t f = 0; f < families.size(); ++f)
+    found.card_text += fmt::format("\n[yarn.{}]\n{}", families[f], write_keys(yarn_keys(), parts.yarn[f], Echo::given));
+  found.card_text += shear_text(found);
+  if (parts.bending != BendingCard{})
+    found.card_text += "\n[bending]\n" + write_keys(bending_keys(), parts.bending, Echo::given);
   // The card's own reader has the last word: ranges, Eq. 11, tangents that turn negative.
   found.card = read_card_text(found.card_text, "card.toml");
 }
@@ -128,6 +137,8 @@ void say_assumptions(Identification& found) {
     if (!spec.yarn[f].compression_modulus && spec.yarn[f].compression.empty())
       say(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", families[f]));
   }
+  if (found.card.bending != BendingCard{})
+    say("no test of bending: [bending] is that of the fit file, of the base card or of the card that was replaced");
   if (found.shear() == nullptr) say("no test of shear: the shear law is that of the base card " + spec.head.base);
   if (found.shear() != nullptr)
     say(fmt::format("the shear law is fitted to {:.1f} deg; beyond, its tangent keeps its value there",
@@ -164,7 +175,7 @@ const ShearFit* Identification::shear() const {
   return bias ? &*bias : nullptr;
 }
 
-Identification identify(const FitSpec& spec) {
+Identification identify(const FitSpec& spec, const std::string& replaced) {
   Identification found;
   found.spec = spec;
   fit_yarns(found);
@@ -176,7 +187,7 @@ Identification identify(const FitSpec& spec) {
   if (!spec.bias_extension.empty()) found.bias = fit_bias_extensions(spec);
   warn("shear frame", found.frame);
   warn("bias extension", found.bias);
-  make_card(found);
+  make_card(found, replaced);
   compare_with_base(found);
   say_assumptions(found);
   return found;

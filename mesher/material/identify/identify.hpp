@@ -29,8 +29,10 @@ struct Identification {
   [[nodiscard]] bool shear_from_frame() const;
 };
 
-// Throws InputError: whatever is wrong in the fit file or in a test file, all test files at once; FileError.
-[[nodiscard]] Identification identify(const FitSpec& spec);
+// `replaced` is the text of the card that the new one will overwrite, whose parts that nothing here measures are
+// carried over (carried_parts.hpp); "" for none. Throws InputError: whatever is wrong in the fit file or in a test
+// file, all test files at once; FileError.
+[[nodiscard]] Identification identify(const FitSpec& spec, const std::string& replaced = "");
 
 // A file of the answer, to be written under its name: a text or a chart.
 struct OutputFile {

@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,11 +13,14 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/base/nearest_name.hpp"
+#include "mesher/base/plain_text.hpp"
+#include "mesher/material/identify/table_layout.hpp"
 
 namespace weaveform::identify {
 namespace {
 
-constexpr std::size_t complaints_shown = 5;  // of one file; more of the same helps nobody
+constexpr std::size_t complaints_shown = 5;   // of one file; more of the same helps nobody
+constexpr std::ptrdiff_t sampled_lines = 20;  // looked at for the delimiter
 
 struct Line {
   int number = 0;
@@ -34,7 +35,6 @@ std::string trimmed(std::string_view text) {
 }
 
 std::vector<Line> lines_of(std::string_view text, int skip) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte-order mark
   std::vector<Line> lines;
   int number = 0;
   while (!text.empty()) {
@@ -70,32 +70,11 @@ std::vector<std::string> split(const std::string& line, char delimiter) {
   return cells;
 }
 
-std::optional<double> number_in(std::string cell, bool decimal_comma) {
-  if (decimal_comma) {
-    if (cell.find('.') != std::string::npos) return std::nullopt;  // 1.234,5 or 1.5: which one is meant?
-    std::replace(cell.begin(), cell.end(), ',', '.');
-  }
-  if (cell.starts_with('+')) cell.erase(0, 1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
-}
-
-bool says_missing(std::string cell) {
-  std::transform(cell.begin(), cell.end(), cell.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array words = {"", "nan", "na", "n/a", "-", "--", "null", "none", "inf", "-inf", "-nan"};
-  return std::find(words.begin(), words.end(), cell) != words.end();
-}
-
-bool any_number(const std::vector<std::string>& cells) {
-  return std::any_of(cells.begin(), cells.end(),
-                     [](const auto& cell) { return number_in(cell, false) || number_in(cell, true); });
-}
-
 // Semicolons and tabs separate nothing but cells. A comma may also be a decimal one: where blanks separate as well and
 // leave numbers with commas, blanks are the delimiter.
-char guessed_delimiter(const std::vector<Line>& lines) {
+char guessed_delimiter(const std::vector<Line>& all) {
+  // rows stand at the end of a file, other lines at its beginning
+  const std::vector<Line> lines(all.end() - std::min(std::ssize(all), sampled_lines), all.end());
   const auto share = [&](char c) {
     const auto has = [c](const Line& line) { return line.text.find(c) != std::string::npos; };
     return 2 * std::count_if(lines.begin(), lines.end(), has) > std::ssize(lines);
@@ -124,8 +103,18 @@ bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTabl
         fmt::format("{}: the comma cannot be both delimiter and decimal sign; save the file with ';' "
                     "between columns, or correct 'delimiter' or 'decimal'",
                     table.file));
-  if (format.decimal != "auto" || delimiter == ',') return format.decimal == "comma";
+  if (format.decimal != "auto") return format.decimal == "comma";
   bool comma = false;
+  if (delimiter == ',') {
+    // in quotes a comma separates nothing; but three digits after it may be thousands
+    for (const auto& row : table.cells)
+      for (const auto& cell : row) {
+        if (cell.find('.') != std::string::npos) return false;
+        const auto at = cell.find(',');
+        comma = comma || (at != std::string::npos && number_in(cell, true) && cell.size() - at != 4);
+      }
+    return comma;
+  }
   for (const auto& row : table.cells) {
     for (const auto& cell : row) {
       comma = comma || (cell.find(',') != std::string::npos && number_in(cell, true));
@@ -133,6 +122,35 @@ bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTabl
     }
   }
   return comma;
+}
+
+// "# time, force": the last comment above the rows when it has a name for every column; else none.
+std::vector<std::string> commented_heading(std::string_view text, char delimiter, int first_row, std::size_t width) {
+  std::vector<std::string> heading;
+  for (int number = 1; number < first_row && !text.empty(); ++number) {
+    const std::size_t end = text.find('\n');
+    const std::string line = trimmed(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!line.starts_with('#')) continue;
+    const SplitLine cells{
+        number, split(line.substr(line.find_first_not_of("# \t") == std::string::npos ? line.size()
+                                                                                      : line.find_first_not_of("# \t")),
+                      delimiter)};
+    if (cells.cells.size() == width && can_head(cells, width)) heading = cells.cells;
+  }
+  return heading;
+}
+
+// A delimiter at the end of every row makes a column of nothing.
+void drop_empty_last_column(RawTable& table) {
+  const std::size_t width = table.cells.front().size();
+  const auto ends_empty = [&](const auto& row) { return row.size() == width && row.back().empty(); };
+  if (table.heading.size() == width + 1 && table.heading.back().empty()) table.heading.pop_back();
+  if (width < 2 || table.heading.empty() || !std::all_of(table.cells.begin(), table.cells.end(), ends_empty)) return;
+  if (table.heading.size() == width && !table.heading.back().empty()) return;  // a column whose values are missing
+  for (auto& row : table.cells) row.pop_back();
+  if (table.heading.size() == width) table.heading.pop_back();
+  if (table.units.size() == width) table.units.pop_back();
 }
 
 // Every row must have as many cells as most rows have.
@@ -166,34 +184,35 @@ void check_widths(const RawTable& table, char delimiter) {
 }  // namespace
 
 RawTable read_raw_table(const std::string& text, const std::string& file, const TableFormat& format) {
-  if (text.find('\0') != std::string::npos)
+  const std::string plain = plain_text(text);
+  if (plain.find('\0') != std::string::npos)
     throw InputError(fmt::format("{}: is not plain text; export the test as CSV (UTF-8)", file));
-  const std::vector<Line> lines = lines_of(text, format.skip_lines);
+  const std::vector<Line> lines = lines_of(plain, format.skip_lines);
   if (lines.empty())
     throw InputError(fmt::format("{}: has no rows after its first {} lines; correct 'skip_lines' or the file", file,
                                  format.skip_lines));
   const char delimiter = delimiter_of(format, lines);
-  RawTable table{.file = file, .heading = {}, .units = {}, .line = {}, .cells = {}, .decimal_comma = false};
-  for (const auto& line : lines) {
-    auto cells = split(line.text, delimiter);
-    if (table.cells.empty() && !any_number(cells)) {
-      if (table.heading.empty()) {
-        table.heading = std::move(cells);
-        continue;
-      }
-      if (table.units.empty()) {
-        table.units = std::move(cells);
-        continue;
-      }
-    }
-    table.line.push_back(line.number);
-    table.cells.push_back(std::move(cells));
-  }
-  if (table.cells.empty())
+  std::vector<SplitLine> split_lines;
+  for (const auto& line : lines) split_lines.push_back({line.number, split(line.text, delimiter)});
+  const TableLayout layout = find_table(split_lines, delimiter, file);
+  if (layout.begin == layout.end)
     throw InputError(
         fmt::format("{}: has a heading but no rows of numbers; correct 'skip_lines', 'delimiter' or the "
                     "file",
                     file));
+  RawTable table;
+  table.file = file;
+  table.notes = lines_left_out(split_lines, layout);
+  if (layout.heading)
+    table.heading = std::move(split_lines[*layout.heading].cells);
+  else
+    table.heading = commented_heading(plain, delimiter, split_lines[layout.begin].number, layout.width);
+  if (layout.units) table.units = std::move(split_lines[*layout.units].cells);
+  for (std::size_t k = layout.begin; k < layout.end; ++k) {
+    table.line.push_back(split_lines[k].number);
+    table.cells.push_back(std::move(split_lines[k].cells));
+  }
+  drop_empty_last_column(table);
   check_widths(table, delimiter);
   table.decimal_comma = has_decimal_commas(format, delimiter, table);
   return table;

@@ -1,4 +1,5 @@
-// A test file as the machine wrote it: delimited text with a heading, perhaps a row of units, perhaps decimal commas.
+// A test file as the machine wrote it: lines about specimen and test (table_layout.hpp), delimited text with a heading,
+// perhaps a row of units, perhaps decimal commas, in any usual encoding (base/plain_text.hpp).
 // Nothing is guessed silently: what cannot be read one way only is a complaint with file and line.
 #pragma once
 
@@ -20,6 +21,7 @@ struct RawTable {
   std::vector<int> line;                        // 1-based, of each row
   std::vector<std::vector<std::string>> cells;  // trimmed, without quotes; every row as long as the first
   bool decimal_comma = false;
+  std::vector<std::string> notes;  // lines that are no part of the table, in sentences
 };
 
 // `file` stands for the text in messages. Throws InputError with every row that does not fit.

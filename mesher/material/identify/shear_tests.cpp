@@ -91,9 +91,9 @@ ShearSpecimen derived_specimen(const Curve& curve, const TestSpec& test, double 
 
 std::vector<ShearSpecimen> frame_specimens(const TestSpec& test, const FitSpec& spec) {
   const bool machine = !test.displacement_column.empty();
-  const Channel angle{Quantity::angle, "angle", test.angle_column, test.angle_unit, 1.0};
+  const Channel angle{Quantity::angle, "angle", test.angle_column, test.angle_unit, test.angle_factor};
   const Channel force{Quantity::force_per_length, "normalised_force", test.normalised_force_column,
-                      test.normalised_force_unit, 1.0};
+                      test.normalised_force_unit, test.normalised_force_factor};
   std::vector<ShearSpecimen> specimens;
   for (const auto& curve : load_curves(test, spec.file, machine ? displacement_channel(test) : angle,
                                        machine ? force_channel(test) : force)) {

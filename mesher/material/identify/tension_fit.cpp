@@ -185,10 +185,12 @@ double YarnFit::greatest_stress() const {
 
 YarnFit fit_yarn(const TestSpec& test, const std::filesystem::path& fit_file, double section, double confidence) {
   const bool machine = !test.displacement_column.empty();
-  const Channel x = machine ? displacement_channel(test)
-                            : Channel{Quantity::strain, "strain", test.strain_column, test.strain_unit, 1.0};
-  const Channel y =
-      machine ? force_channel(test) : Channel{Quantity::stress, "stress", test.stress_column, test.stress_unit, 1.0};
+  const Channel x = machine
+                        ? displacement_channel(test)
+                        : Channel{Quantity::strain, "strain", test.strain_column, test.strain_unit, test.strain_factor};
+  const Channel y = machine
+                        ? force_channel(test)
+                        : Channel{Quantity::stress, "stress", test.stress_column, test.stress_unit, test.stress_factor};
   YarnFit fit;
   fit.test = test.name;
   fit.section = section;

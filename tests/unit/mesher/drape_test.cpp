@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -13,6 +14,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/drape/flat_pattern.hpp"
+#include "mesher/drape/sphere_net.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
@@ -183,6 +185,129 @@ TEST(Drape, ACurvedGeneratorShearsThePlane) {
   EXPECT_NEAR(least, -std::atan(0.6) - std::atan(0.2), 1e-9);
 }
 
+// Centroid of a cell's flat polygon, from the seed at the blank's centre.
+std::array<double, 2> flat_centre(const Mesh& mesh, int c) {
+  double twice = 0.0, x = 0.0, y = 0.0;
+  const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
+  for (int a = begin; a < end; ++a) {
+    const auto& p = mesh.nodes.position[mesh.cells.node[a]];
+    const auto& q = mesh.nodes.position[mesh.cells.node[a + 1 == end ? begin : a + 1]];
+    const double cross = p[0] * q[1] - q[0] * p[1];
+    twice += cross;
+    x += cross * (p[0] + q[0]) / 3.0;
+    y += cross * (p[1] + q[1]) / 3.0;
+  }
+  return {x / twice, y / twice};
+}
+
+// A square of 1725 mm in cells of 75 mm on a sphere of 1 m, whose exact net has g(uv/R^2) at (u, v).
+std::string sphere_scene(const std::string& phase) {
+  return "[blank]\nsize = [1725.0, 1725.0]\nyarn_angle = 0.0\ncoarsening = 15.2439024390\nfit = 'none'\nphase = " +
+         phase +
+         "\n[tools.dome]\nshape = 'sphere'\nradius = 1000.0\nposition = [0, 0, -1000]\naxis = [0, 0, -1]\noffset = 0\n"
+         "[drape]\ntool = 'dome'\nanchor = [0, 0]\nseed = [0, 0, 0]\n";
+}
+
+TEST(Drape, CellsCutByTheBlanksEdgeHaveTheNetsAngleAtTheirCentre) {
+  constexpr double deg = std::numbers::pi / 180.0;
+  for (const char* phase : {"[0, 0]", "[0.5, 0.5]", "[0.25, 0.1]", "[0.9, 0.3]", "[-0.4, 0.0]"}) {
+    const Draped d(sphere_scene(phase));
+    ASSERT_TRUE(d.drape.whole()) << phase;
+    // where the crossing nearest to the anchor, which lies on the seed, is on the flat blank
+    std::array<double, 2> seed = {0.0, 0.0};
+    double nearest = 1e9;
+    for (int n = 0; n < d.mesh.node_count(); ++n) {
+      if (d.mesh.nodes.crossing[n][0] < 0 || length_of(d.drape.position[n], d.drape.seed) > nearest) continue;
+      nearest = length_of(d.drape.position[n], d.drape.seed);
+      seed = {d.mesh.nodes.position[n][0], d.mesh.nodes.position[n][1]};
+    }
+    double greatest = 0.0;
+    for (int c = 0; c < d.mesh.cells.size(); ++c) {
+      const auto at = flat_centre(d.mesh, c);
+      const double exact = sphere_net_angle((at[0] - seed[0]) * (at[1] - seed[1]) * 1e-6);
+      EXPECT_NEAR(d.drape.shear_angle[c] / deg, exact / deg, 0.01) << phase << " cell " << c;
+      greatest = std::max(greatest, std::abs(d.drape.shear_angle[c]));
+      EXPECT_EQ(d.drape.extrapolated[c], 0);
+    }
+    if (std::string(phase) == "[0, 0]") {
+      EXPECT_NEAR(greatest / deg, 39.13, 0.03);
+    } else if (std::string(phase) == "[0.5, 0.5]") {
+      EXPECT_NEAR(greatest / deg, 41.366, 0.01);
+    }
+  }
+}
+
+TEST(Drape, FreeEndsOfTheResultLieOnTheToolAndThoseOfAStartInLine) {
+  const Draped d(sphere_scene("[0, 0]"));
+  for (const auto& tie : d.mesh.tie) {
+    EXPECT_NEAR(length_of(d.drape.laid[tie.node], {0, 0, -1000}), 1000.0, 1e-6);
+    EXPECT_GT(length_of(d.drape.position[tie.node], {0, 0, -1000}), 1000.5);
+  }
+}
+
+// On developable surfaces, along the axis, no cell is sheared: neither a whole one nor one at the edge.
+TEST(Drape, CutCellsOnACylinderAndAConeAreUnsheared) {
+  const std::string cylinder =
+      "[tools.t]\nshape = 'cylinder'\nradius = 60\naxis = [1, 0, 0]\nposition = [0, 0, -60]\n[drape]\ntool = 't'\n";
+  const Draped along("[blank]\nsize = [61, 83]\nyarn_angle = 0\nphase = [0.2, 0.3]\nfit = 'none'\n" + cylinder);
+  for (const double angle : along.drape.shear_angle) EXPECT_NEAR(angle, 0.0, 1e-6);
+  const Draped across("[blank]\nsize = [61, 83]\nyarn_angle = 45\nphase = [0.2, 0.3]\nfit = 'none'\n" + cylinder);
+  // gamma = (a/r)^2 sin 2b / 12 of the chords (drape.hpp)
+  const double invented = std::pow(4.92 / 60.0, 2) / 12.0;
+  for (const double angle : across.drape.shear_angle) EXPECT_NEAR(std::abs(angle), invented, 0.3 * invented);
+  // a cone, seed 65 mm off its axis, warp down its side
+  const Draped cone(
+      "[blank]\nsize = [61, 83]\nyarn_angle = 0\nphase = [0.2, 0.3]\nfit = 'none'\n[tools.t]\nshape = "
+      "'revolved'\noffset = "
+      "0\nposition = [0, 0, 0]\nprofile = [[10, 40], [130, -200]]\n[drape]\ntool = 't'\nseed = [65, 0, -70]\n"
+      "warp_direction = [1, 0, -2]\n");
+  ASSERT_TRUE(cone.drape.whole());
+  for (const double angle : cone.drape.shear_angle) EXPECT_NEAR(angle, 0.0, std::pow(4.92 / 40.0, 2) / 12.0);
+}
+
+// A dome of triangles, 75 mm in radius.
+TEST(Drape, CutCellsOnATriangulatedSphereHaveTheExactNetsAngle) {
+  constexpr double deg = std::numbers::pi / 180.0, radius = 75.0;
+  const fs::path file = fs::temp_directory_path() / fmt::format("weaveform_dome_{}.stl", getpid());
+  {
+    std::ofstream out(file);
+    out.precision(17);
+    out << "solid dome\n";
+    const auto at = [&](int ring, int k) {
+      const double polar = ring * 1.5 * deg, around = k * 3.0 * deg;
+      return std::array<double, 3>{radius * std::sin(polar) * std::cos(around),
+                                   radius * std::sin(polar) * std::sin(around), radius * (std::cos(polar) - 1.0)};
+    };
+    const auto facet = [&](const std::array<std::array<double, 3>, 3>& corners) {
+      out << "facet normal 0 0 1\nouter loop\n";
+      for (const auto& x : corners) out << "vertex " << x[0] << ' ' << x[1] << ' ' << x[2] << "\n";
+      out << "endloop\nendfacet\n";
+    };
+    for (int k = 0; k < 120; ++k) facet({at(0, 0), at(1, k), at(1, k + 1)});
+    for (int ring = 1; ring < 50; ++ring)
+      for (int k = 0; k < 120; ++k) {
+        facet({at(ring, k), at(ring + 1, k), at(ring + 1, k + 1)});
+        facet({at(ring, k), at(ring + 1, k + 1), at(ring, k + 1)});
+      }
+    out << "endsolid dome\n";
+  }
+  const Draped d(
+      fmt::format("[blank]\nsize = [100, 104]\nyarn_angle = 0\nphase = [0, 0]\nfit = 'none'\n[tools.t]\nshape = "
+                  "'triangles'\noffset = 0\nfile = '{}'\n[drape]\ntool = 't'\n",
+                  file.string()));
+  fs::remove(file);
+  ASSERT_TRUE(d.drape.whole());
+  double greatest = 0.0, exact_greatest = 0.0;
+  for (int c = 0; c < d.mesh.cells.size(); ++c) {
+    const auto at = flat_centre(d.mesh, c);
+    const double exact = sphere_net_angle(at[0] * at[1] / (radius * radius));
+    EXPECT_NEAR(d.drape.shear_angle[c] / deg, exact / deg, 0.5) << c;
+    greatest = std::max(greatest, std::abs(d.drape.shear_angle[c]) / deg);
+    exact_greatest = std::max(exact_greatest, std::abs(exact) / deg);
+  }
+  EXPECT_NEAR(greatest, exact_greatest, 0.3);
+}
+
 TEST(Drape, FoldsAreCountedByPlaceAndNoStartForASolve) {
   const std::string text =
       "[blank]\nsize = [220, 220]\nyarn_angle = 0\ncoarsening = 2\n[tools.dome]\nshape = "
@@ -230,6 +355,23 @@ std::string on_plate(const fs::path& file, double angle) {
       "= "
       "\"part\"\n",
       angle, file.string());
+}
+
+// A plate as wide as the blank: the net beyond the blank's edge leaves it.
+TEST(Drape, CutCellsWhereTheToolEndsAreSaidToBeExtrapolated) {
+  const auto extrapolated = [](double half) {
+    const fs::path file = plate(half, 0.0);
+    const Draped d(
+        fmt::format("[blank]\nsize = [50, 50]\nyarn_angle = 0\nphase = [0.3, 0.3]\nfit = 'none'\n[tools.part]\nshape = "
+                    "'triangles'\nfile = '{}'\n[drape]\ntool = 'part'\n",
+                    file.string()));
+    fs::remove(file);
+    EXPECT_TRUE(d.drape.whole());
+    for (const double angle : d.drape.shear_angle) EXPECT_NEAR(angle, 0.0, 1e-9);
+    return std::count(d.drape.extrapolated.begin(), d.drape.extrapolated.end(), 1);
+  };
+  EXPECT_EQ(extrapolated(100.0), 0);
+  EXPECT_GT(extrapolated(25.0), 20);
 }
 
 TEST(Drape, TheFlatPatternOfAPartIsTheBlankCutAtItsBorder) {

@@ -14,6 +14,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/import_test.cpp
   unit/mesher/law_test.cpp
   unit/mesher/outline_zoo_test.cpp
+  unit/mesher/plain_text_test.cpp
   unit/mesher/polynomial_test.cpp
   unit/mesher/scene_complaint_test.cpp
   unit/mesher/scene_test.cpp

@@ -1,4 +1,5 @@
 // Readers of measured point fields: the programs' own samples, and every trap of their conventions.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "mesher/base/error.hpp"
+#include "post/measurement/matrix_files.hpp"
 #include "post/measurement/measurement.hpp"
 #include "tests/support/run_command.hpp"
 
@@ -239,6 +241,293 @@ TEST_F(DicReader, PyvaleDisplacementsAndGradients) {
   const MeasuredStage windows = read(rows);
   EXPECT_EQ(windows.gradient[0], (std::array<double, 4>{1.1, -0.2, -0.3, 0.9}));
   EXPECT_EQ(good(windows), 4);
+}
+
+// x, y in pixels, displacements of F = diag(0.98, 1.02) about the middle of n x n points.
+struct Field {
+  int n = 10;
+  double step = 20.0, scale = 1.0, up = -1.0;  // px; mm/px; sense of y against the pixels'
+  [[nodiscard]] double x(int i) const { return scale * step * (i - 0.5 * (n - 1)); }
+  [[nodiscard]] double y(int j) const { return -up * scale * step * (j - 0.5 * (n - 1)); }
+};
+
+std::string stereo_table(const Field& field, int failed = 0) {
+  std::string text =
+      "x,y,u,v,w,r1r2 ZNCC,r1t1 ZNCC,r1t2 ZNCC,r2_x,r2_y,t1_x,t1_y,t2_x,t2_y,ref_x,ref_y,ref_z,tar_x,tar_y,tar_z,exx,"
+      "eyy,ezz,exy,eyz,ezx,subset_rx,subset_ry,\n";
+  for (int j = 0; j < field.n; ++j)
+    for (int i = 0; i < field.n; ++i) {
+      const double x = field.x(i), y = field.y(j);
+      const bool bad = j * field.n + i < failed;
+      text += fmt::format("{},{},{},{},0.5,0.99,{},0.99,1,1,1,1,1,1,{},{},400,0,0,0,9,9,9,9,9,9,16,16,\n",
+                          200 + field.step * i, 200 + field.step * j, bad ? 0.0 : -0.02 * x, bad ? 0.0 : 0.02 * y,
+                          bad ? (i % 2 == 0 ? -4 : 0) : 1, x, y);
+    }
+  return text;
+}
+
+TEST_F(DicReader, OpenCorrStereoIsInTheUnitOfItsCalibration) {
+  const Field field{.scale = 0.05};
+  EXPECT_TRUE(says(refusal(stereo_table(field)), "--set measurement.length_unit=mm"));
+  spec.pixel_size = 0.05;  // is of no use here
+  EXPECT_TRUE(says(refusal(stereo_table(field)), "column 'ref_x' has no unit"));
+  spec.length_unit = "px";
+  EXPECT_TRUE(says(refusal(stereo_table(field)), "are lengths"));
+  spec.length_unit = "mm";
+  for (const double up : {-1.0, 1.0}) {
+    const Field turned{.scale = 0.05, .up = up};
+    const MeasuredStage stage = read(stereo_table(turned, 4));
+    EXPECT_EQ(stage.failed, 4) << "two codes below zero, two that were never computed";
+    EXPECT_TRUE(noted(stage, "failed correlations by: r1r2 ZNCC, r1t1 ZNCC, r1t2 ZNCC"));
+    // whatever the sense of the calibration's y, F is diag(0.98, 1.02) with y up and the first row on top
+    EXPECT_DOUBLE_EQ(stage.reference[99][0], 4.5);
+    EXPECT_DOUBLE_EQ(stage.reference[99][1], -4.5);
+    EXPECT_DOUBLE_EQ(stage.displacement_field[99][0], -0.02 * 4.5);
+    EXPECT_DOUBLE_EQ(stage.displacement_field[99][1], 0.02 * -4.5);
+  }
+  spec.length_unit = "m";
+  EXPECT_DOUBLE_EQ(read(stereo_table(field)).reference[99][0], 4500.0);
+}
+
+TEST_F(DicReader, OpenCorrTablesWithoutPlacesAreRefused) {
+  const std::string rows = "1,1,-38,-86,398,0.9,0,0,1,1,0,0,0,0,\n";
+  EXPECT_TRUE(says(refusal("x,y,u,v,w,r1r2 ZNCC,r1t1 ZNCC,r1t2 ZNCC,r2_x,r2_y,t1_x,t1_y,t2_x,t2_y,\n" + rows + rows),
+                   "without ref_x, ref_y, ref_z"));
+}
+
+TEST_F(DicReader, OpenCorrPlanarCountsFailuresByZncc) {
+  spec.pixel_size = 0.05;
+  for (const char* heading : {"x,y,u,v,u0,v0,ZNCC,iteration,convergence,feature,exx,eyy,exy,subset_rx,subset_ry,",
+                              "x,y,u,v,u0,v0,zncc,iteration,convergence,feature,exx,eyy,exy,subset_rx,subset_ry,"}) {
+    std::string text = fmt::format("{}\n", heading);
+    for (int k = 0; k < 25; ++k)
+      text += fmt::format("{},{},{},2,0,0,{},3,0.001,9,0,0,0,16,16,\n", 10 * (k % 5), 10 * (k / 5), k < 4 ? 90 : 1,
+                          k < 4 ? -4 : 0.98);
+    const MeasuredStage stage = read(text);
+    EXPECT_EQ(stage.failed, 4) << heading;
+    EXPECT_EQ(good(stage), 21) << heading;
+    EXPECT_EQ(stage.displacement_field[24], (Vec3{0.05, -0.1, 0.0})) << heading;
+    EXPECT_TRUE(noted(stage, "OpenCorr: planar"));
+  }
+}
+
+// The same columns with a third axis are a volume's, with units a user's own: neither is read as pixels.
+TEST_F(DicReader, TablesLikeOpenCorrsAreNotTakenForPixels) {
+  spec.pixel_size = 0.05;
+  EXPECT_TRUE(says(refusal("x,y,z,u,v,w,ZNCC\n0,0,0,1,2,3,0.9\n1,0,0,1,2,3,0.9\n0,1,0,1,2,3,0.9\n1,1,0,1,2,3,0.9\n"),
+                   "which program wrote this?"));
+  const std::string lengths =
+      "x [mm],y [mm],u [mm],v [mm],ZNCC\n0,0,1,2,0.9\n1,0,1,2,0.9\n0,1,1,2,0.9\n1,1,1,2,-1\n0,2,1,2,0.9\n";
+  EXPECT_TRUE(says(refusal(lengths), "point up or down on the specimen?"));
+  spec.y_axis = "up";
+  const MeasuredStage stage = read(lengths);
+  EXPECT_EQ(stage.displacement_field[0], (Vec3{1.0, 2.0, 0.0}));
+  EXPECT_EQ(stage.failed, 1);
+}
+
+TEST_F(DicReader, MatchidTablesTellTheSenseOfYByTheirPixels) {
+  std::string text =
+      "Coordinates.Image X [Pixel],Coordinates.Image Y [Pixel],coor.X [mm],coor.Y [mm],coor.Z [mm],disp.Horizontal "
+      "Displacement U [mm],disp.Vertical Displacement V [mm],disp.Out-Of-Plane: W [mm],strain.Strain-global frame: Exx "
+      "[ "
+      "]\n";
+  for (int k = 0; k < 25; ++k)
+    text += fmt::format("{},{},{},{},0,0.1,0.2,{},7\n", 10 * (k % 5), 10 * (k / 5), k % 5, k / 5,
+                        k == 3 ? "Non un numero reale" : "0.3");
+  const MeasuredStage stage = read(text);
+  EXPECT_EQ(stage.reference[6], (Vec3{1.0, -1.0, 0.0}));
+  EXPECT_EQ(stage.displacement_field[6], (Vec3{0.1, -0.2, -0.3}));
+  EXPECT_EQ(good(stage), 24);
+  spec.pixel_size = 0.5;
+  std::string pixels = "x_pic;y_pic;u;v\n";
+  for (int k = 0; k < 9; ++k) pixels += fmt::format("{};{};0,5;1,5\n", 10 * (k % 3), 10 * (k / 3));
+  EXPECT_EQ(read(pixels).displacement_field[4], (Vec3{0.25, -0.75, 0.0}));
+}
+
+class DicMatrix : public DicReader {
+protected:
+  // u = 0.1 (c - 7), v = -0.05 (r - 5) in mm, decimal commas
+  void write_matrix(const std::string& name, bool is_u, const std::string& word = "") {
+    std::string text;
+    for (int r = 0; r < 11; ++r)
+      for (int c = 0; c < 15; ++c) {
+        std::string cell = fmt::format("{:.6f}", is_u ? 0.1 * (c - 7) : -0.05 * (r - 5));
+        std::replace(cell.begin(), cell.end(), '.', ',');
+        if (r == 2 && c == 3 && !word.empty()) cell = word;
+        text += fmt::format("{}{}", cell, c == 14 ? '\n' : ';');
+      }
+    write_text(text, folder_.path() / name);
+  }
+  MeasuredStage stage(const std::string& name) { return read_stages(folder_.path() / name, spec).front(); }
+};
+
+TEST_F(DicMatrix, SistersAreFoundAndFailedPointsAreWords) {
+  write_matrix("stage1_U[mm].csv", true);
+  write_matrix("stage1_V[mm].csv", false, "Non un numero reale");
+  spec.grid_step = 20.0;
+  spec.grid_first = {300.0, 200.0};
+  spec.pixel_size = 0.05;
+  spec.y_axis = "down";
+  for (const char* name : {"stage1_U[mm].csv", "stage1_V[mm].csv"}) {
+    const MeasuredStage one = stage(name);
+    ASSERT_EQ(one.size(), 165U);
+    EXPECT_EQ(one.failed, 1);
+    EXPECT_FALSE(one.valid[2 * 15 + 3]);
+    EXPECT_NEAR(one.reference[16][0], 0.05 * 320.0, 1e-12);
+    EXPECT_NEAR(one.reference[16][1], -0.05 * 220.0, 1e-12);
+    EXPECT_NEAR(one.displacement_field[16][0], -0.6, 1e-12);
+    EXPECT_NEAR(one.displacement_field[16][1], -0.2, 1e-12) << "down, turned up";
+    EXPECT_TRUE(noted(one, "'Non un numero reale'"));
+  }
+  // rows go down whichever way v counts
+  spec.y_axis = "up";
+  EXPECT_NEAR(stage("stage1_U[mm].csv").reference[16][1], -0.05 * 220.0, 1e-12);
+  EXPECT_NEAR(stage("stage1_U[mm].csv").displacement_field[16][1], 0.2, 1e-12);
+}
+
+TEST_F(DicMatrix, EverythingUnknownIsAskedAtOnceWithItsKey) {
+  write_matrix("plot_u_dic.csv", true);
+  write_matrix("plot_v_dic.csv", false);
+  const auto questions = read_stages_asking(folder_.path() / "plot_u_dic.csv", spec).front().questions;
+  std::vector<std::string> keys;
+  for (const Question& question : questions) keys.push_back(question.key);
+  for (const char* key :
+       {"measurement.length_unit", "measurement.grid_step", "measurement.pixel_size", "measurement.y_axis"})
+    EXPECT_EQ(std::count(keys.begin(), keys.end(), key), 1) << key;
+  spec.length_unit = "mm";
+  spec.grid_pitch = 1.5;
+  spec.y_axis = "up";
+  EXPECT_NEAR(stage("plot_u_dic.csv").reference[1][0], 1.5, 1e-12) << "a pitch in mm needs no pixel";
+}
+
+TEST_F(DicMatrix, AFolderOfMatricesIsOneStageForEachPair) {
+  for (const char* stage_name : {"s1", "s2", "s10"}) {
+    write_matrix(fmt::format("{}_U[mm].csv", stage_name), true);
+    write_matrix(fmt::format("{}_V[mm].csv", stage_name), false);
+    write_matrix(fmt::format("{}_Exx[ ].csv", stage_name), false);
+  }
+  write_text("words", folder_.path() / "notes.txt");
+  const auto files = measurement_files({folder_.path().string()});
+  ASSERT_EQ(files.size(), 3U);
+  EXPECT_EQ(files[0].filename(), "s1_U[mm].csv");
+  EXPECT_EQ(files[2].filename(), "s10_U[mm].csv");
+  EXPECT_EQ(measurement_files({(folder_.path() / "s2_V[mm].csv").string()}).at(0).filename(), "s2_U[mm].csv");
+}
+
+TEST_F(DicMatrix, TheComponentIsAWordOfTheName) {
+  struct Case {
+    const char* name;
+    char component;
+    const char* unit;
+  };
+  for (const Case& c : std::vector<Case>{{"stage1_U[mm].csv", 'u', "mm"},
+                                         {"plot_v_dic_3.csv", 'v', ""},
+                                         {"W.txt", 'w', ""},
+                                         {"disp_x.csv", 'u', ""},
+                                         {"disp_y (px).csv", 'v', "px"},
+                                         {"run_x_Uy.csv", 'v', ""},
+                                         {"stage1_X[mm].csv", 'x', "mm"},
+                                         {"Displacement U [mm]_0002.csv", 'u', "mm"}}) {
+    const auto name = matrix_name(c.name);
+    ASSERT_TRUE(name.has_value()) << c.name;
+    EXPECT_EQ(name->component, c.component) << c.name;
+    EXPECT_EQ(name->unit, c.unit) << c.name;
+  }
+  for (const char* name : {"stage1.csv", "volume.csv", "stage_uv.csv", "[U].csv"})
+    EXPECT_FALSE(matrix_name(name).has_value()) << name;
+}
+
+TEST_F(DicMatrix, MatricesOfPlacesReplaceTheGrid) {
+  write_matrix("s_U[mm].csv", true);
+  write_matrix("s_V[mm].csv", false);
+  write_matrix("s_X[mm].csv", true);   // 0.1 (c - 7)
+  write_matrix("s_Y[mm].csv", false);  // -0.05 (r - 5)
+  spec.y_axis = "up";
+  const MeasuredStage one = stage("s_X[mm].csv");
+  EXPECT_NEAR(one.reference[16][0], -0.6, 1e-12);
+  EXPECT_NEAR(one.reference[16][1], 0.2, 1e-12);
+  EXPECT_TRUE(noted(one, "places by s_X[mm].csv and s_Y[mm].csv"));
+}
+
+TEST_F(DicMatrix, ZerosByTheHundredAreAskedAbout) {
+  std::string zeros;
+  for (int r = 0; r < 10; ++r) zeros.append(r < 5 ? "0 0 0 0 0\n" : "1 2 3 4 5\n");
+  write_text(zeros, folder_.path() / "u.txt");
+  write_text(zeros, folder_.path() / "v.txt");
+  spec.length_unit = "px";
+  spec.pixel_size = 0.1;
+  spec.grid_step = 5.0;
+  try {
+    (void)stage("u.txt");
+    FAIL() << "zeros outside the region were taken for measured";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(says(error.what(), "25 of 50 points")) << error.what();
+    EXPECT_TRUE(says(error.what(), "--set measurement.grid_zeros=missing")) << error.what();
+  }
+  spec.grid_zeros = "missing";
+  EXPECT_EQ(good(stage("u.txt")), 25);
+  spec.grid_zeros = "measured";
+  EXPECT_EQ(good(stage("u.txt")), 50);
+}
+
+TEST_F(DicMatrix, WithoutASisterOrANameItSaysWhatIsMissing) {
+  write_matrix("one_U[mm].csv", true);
+  write_matrix("matrix.csv", true);
+  for (const auto& [name, words] : {std::pair("one_U[mm].csv", "there is none of V beside it"),
+                                    {"matrix.csv", "export one table with columns x, y, u and v"}})
+    try {
+      (void)stage(name);
+      FAIL() << name;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(says(error.what(), words)) << error.what();
+    }
+}
+
+TEST_F(DicReader, TypographicQuotesAndUtf16AreRead) {
+  const std::string rows = "\"x\";\"y\";\"u\";\"v\";\"sigma\"\n0;0;1;2;0,1\n7;0;1;2;0,1\n0;7;1;2;0,1\n7;7;1;2;0,1\n";
+  spec.pixel_size = 0.5;
+  const MeasuredStage plain = read(rows);
+  std::string curly, wide("\xFF\xFE");
+  bool opens = true;
+  for (const char c : rows) {
+    wide.push_back(c);
+    wide.push_back('\0');
+    if (c != '"') {
+      curly.push_back(c);
+      continue;
+    }
+    curly.append(opens ? "\xE2\x80\x9C" : "\xE2\x80\x9D");
+    opens = !opens;
+  }
+  for (const auto& text : {curly, wide}) {
+    const MeasuredStage stage = read(text);
+    EXPECT_EQ(stage.reference, plain.reference);
+    EXPECT_EQ(stage.displacement_field, plain.displacement_field);
+  }
+}
+
+// x, y, u and v without units are the columns of many programs: one that VIC does not write is asked about.
+TEST_F(DicReader, UnknownColumnsBesideXyuvAreAskedAbout) {
+  const auto rows = [](const std::string& heading, const std::string& cells) {
+    std::string text = fmt::format("{}\n", heading);
+    for (const char* place : {"0,0", "7,0", "0,7", "7,7"}) text += fmt::format("{},1,2,{}\n", place, cells);
+    return text;
+  };
+  spec.pixel_size = 0.5;
+  for (const char* heading : {"x,y,u,v,w", "x,y,u,v,corrcoef", "x,y,u,v,depth"}) {
+    const std::string text = refusal(rows(heading, "0.5"));
+    EXPECT_TRUE(says(text, "which program wrote this?")) << heading << text;
+    EXPECT_TRUE(says(text, "its columns are 'x', 'y', 'u', 'v'")) << text;
+    for (const char* key : {"format=columns", "x=NAME_OF_x", "v=NAME_OF_v", "y_axis=", "length_unit="})
+      EXPECT_TRUE(says(text, fmt::format("--set measurement.{}", key))) << key;
+  }
+  EXPECT_EQ(good(read(rows("x,y,u,v,exx", "0.5"))), 4);
+  spec.format = "vic";
+  EXPECT_EQ(good(read(rows("x,y,u,v,depth", "0.5"))), 4);
+  spec.format = "auto";
+  spec.pixel_size.reset();
+  const std::string bare = refusal("x,y,u,v\n0,0,1,2\n7,0,1,2\n0,7,1,2\n7,7,1,2\n");
+  EXPECT_TRUE(says(bare, "is it in mm, m, um, in or pixels?")) << bare;
 }
 
 TEST_F(DicReader, AnyTableThroughAMap) {

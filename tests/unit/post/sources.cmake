@@ -1,11 +1,13 @@
 set(UNIT_POST_SOURCES
   support/run_command.cpp
+  unit/post/advice_keys_test.cpp
   unit/post/bias_extension_test.cpp
   unit/post/convergence_test.cpp
   unit/post/contours_test.cpp
   unit/post/dic_comparison_test.cpp
   unit/post/dic_instrument_test.cpp
   unit/post/dic_readers_test.cpp
+  unit/post/dic_settings_form_test.cpp
   unit/post/folds_test.cpp
   unit/post/forming_test.cpp
   unit/post/frame_comparison_test.cpp
