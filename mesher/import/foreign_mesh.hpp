@@ -28,6 +28,7 @@ struct ElementSet {
 // A part as it stands in the assembly. A file without parts is one instance without a name.
 struct ForeignInstance {
   std::string name, part;
+  bool turned = false;  // the assembly's axes are not the part's
 };
 
 struct ForeignMesh {

@@ -80,7 +80,7 @@ private:
     if (!scope_.emplace(upper(instance.name), Scope{}).second)
       lines_.fail(instance.at, fmt::format("instance '{}' is there twice", instance.name));
     current_ = &scope_[upper(instance.name)];
-    mesh_.instance.push_back({instance.name, instance.part});
+    mesh_.instance.push_back({instance.name, instance.part, instance.angle != 0.0});
     for (const InpBlock* block : {part, &instance.own}) {
       add_mesh(*block, instance);
       add_sets(*block);

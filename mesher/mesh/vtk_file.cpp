@@ -21,9 +21,10 @@ void write_vtk_whole(const std::filesystem::path& file, vtkXMLWriter& writer) {
   write_whole(file, [&](const std::filesystem::path& temporary) {
     keep_vtk_in_one_thread();
     const VtkMessages kept_off_the_terminal;
-    writer.SetDataModeToAppended();
-    writer.EncodeAppendedDataOff();
-    writer.SetCompressorTypeToNone();
+    // in place and as text, for meshio loses its way among raw bytes at the end; compressed it is smaller than these
+    writer.SetDataModeToBinary();
+    writer.SetCompressorTypeToZLib();
+    writer.SetCompressionLevel(1);
     writer.SetHeaderTypeToUInt64();
     writer.SetFileName(temporary.c_str());
     errno = 0;

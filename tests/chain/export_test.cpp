@@ -297,7 +297,7 @@ TEST_F(Export, AFormedHemispheresDirectionsGoOntoAStructure) {
     std::istringstream fields(line);
     std::vector<double> value;
     for (std::string word; std::getline(fields, word, ',');) value.push_back(std::stod(word));
-    ASSERT_EQ(value.size(), 15U);
+    ASSERT_EQ(value.size(), 16U);
     const int n = middle.at(static_cast<int>(value[0]));
     const Eigen::Vector3d warp(value[4], value[5], value[6]), weft(value[7], value[8], value[9]);
     EXPECT_NEAR(warp.norm(), 1.0, 1e-12);

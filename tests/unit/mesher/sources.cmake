@@ -2,6 +2,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/card_test.cpp
   unit/mesher/chart_test.cpp
   unit/mesher/drape_test.cpp
+  unit/mesher/dxf_outline_test.cpp
   unit/mesher/expected_size_test.cpp
   unit/mesher/export_columns_test.cpp
   unit/mesher/geo_script_test.cpp
