@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double thickness_step = 1e-3;  // of a thickness
+constexpr double thickness_step = 0.01;  // of a thickness
 constexpr double same_direction = 1e-9;  // components that differ less are the same
 
 struct Group {

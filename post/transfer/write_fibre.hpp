@@ -20,7 +20,7 @@ struct FibreText {
 // only.
 [[nodiscard]] FibreText orientation_abaqus(const FibreField& field, const std::string& written_by);
 // What CalculiX reads: per group of shells with the same directions (within `group_angle`, deg, of one another) and
-// thickness (within 0.1 %) an element set, the *ORIENTATIONs WARP_n and WEFT_n, local 1 along the yarn, and a
+// thickness (within 1 %) an element set, the *ORIENTATIONs WARP_n and WEFT_n, local 1 along the yarn, and a
 // *SHELL SECTION of the material FABRIC with WARP_n. With an angle of 0 every shell that differs is a group of its own.
 [[nodiscard]] FibreText orientation_calculix(const FibreField& field, double group_angle,
                                              const std::string& written_by);

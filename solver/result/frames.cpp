@@ -137,7 +137,8 @@ struct FrameWriter::Grid {
     contact_pressure = add_array<vtkDoubleArray>(elements, "contact_pressure_MPa", 1, count);
     contact_share = add_array<vtkDoubleArray>(elements, "contact_share", 1, count);
     for (std::size_t k = 0; k < tools.size(); ++k)  // names as arrays, for meshio reads no texts
-      add_array<vtkIntArray>(*grid->GetFieldData(), "tool_" + tools[k], 1, 1)->SetValue(0, static_cast<int>(k) + 1);
+      add_array<vtkIntArray>(*grid->GetFieldData(), ("tool_" + tools[k]).c_str(), 1, 1)
+          ->SetValue(0, static_cast<int>(k) + 1);
   }
 
   // Values on yarns and on cells stand one behind the other, as the lines and polygons do.

@@ -36,6 +36,8 @@ Scene unusual_scene() {
                  .phase = {0.25, -1.0 / 3},
                  .corners = {},
                  .outline = "",
+                 .outline_unit = "inch",
+                 .outline_layers = {"CUT", "0"},
                  .arm_width = {},
                  .on_roll = {},
                  .fit = "none",
