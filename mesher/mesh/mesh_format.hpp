@@ -24,7 +24,7 @@ namespace weaveform::mesh_format {
 inline const std::string set_prefix = "set_";
 inline const std::string flat_name = "flat_position_mm";
 
-// VTK checks its stream while it writes but not when it closes it: only the closing tag proves that all of it arrived.
+// Only the closing tag proves that all of a file is there.
 inline bool ends_with_closing_tag(const std::filesystem::path& file) {
   const std::string tag = "</VTKFile>";
   std::ifstream in(file, std::ios::binary | std::ios::ate);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/run_command.hpp"
 
@@ -41,11 +42,13 @@ struct Strip {
     for (int j = 0; j < across; ++j)
       for (int i = 0; i < along; ++i) {
         const int a = node(i, j), b = node(i + 1, j), c = node(i + 1, j + 1), d = node(i, j + 1);
-        if (type == "S3")
-          out << ++number << ", " << a << ", " << b << ", " << c << "\n"
-              << ++number << ", " << a << ", " << c << ", " << d << "\n";
-        else
-          out << ++number << ", " << a << ", " << b << ", " << c << ", " << d << "\n";
+        std::vector<std::vector<int>> shells = {{a, b, c, d}};
+        if (type == "S3") shells = {{a, b, c}, {a, c, d}};
+        for (const auto& shell : shells) {
+          out << ++number;
+          for (const int n : shell) out << ", " << n;
+          out << "\n";
+        }
       }
     return out.str();
   }
@@ -118,7 +121,7 @@ double closed_form(double angle, double thickness) {
 }
 
 double thickness_in(const std::string& text) {
-  const std::size_t section = text.find("*SHELL SECTION");
+  const std::size_t section = text.find("\n*SHELL SECTION") + 1;
   return std::stod(text.substr(text.find('\n', section)));
 }
 

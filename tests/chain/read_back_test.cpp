@@ -75,8 +75,7 @@ protected:
     must("weaveform export cut --format vtu --output fibres.vtu --quiet");
     must("weaveform export tiny.toml --format gmsh --output mesh.msh --quiet --set blank.fit=none");
     must("weaveform export tiny.toml --format abaqus --output shells.inp --quiet --set model.cell=shell");
-    must(std::string("weaveform drape ") + WEAVEFORM_SOURCE_DIR +
-         "/examples/drape_hemisphere.toml --output drape");
+    must(std::string("weaveform drape ") + WEAVEFORM_SOURCE_DIR + "/examples/drape_hemisphere.toml --output drape");
   }
   const std::vector<std::string> grids = {
       "cut/mesh.vtu", "fitted/mesh.vtu", "cut/frames/frame_0002.vtu", "tool/mesh.vtu", "tool/frames/frame_0001.vtu",
