@@ -15,6 +15,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/mesh_io.hpp"
+#include "mesher/outline/blank_outline.hpp"
 #include "mesher/scene/idle.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/symmetry/find_symmetry.hpp"
@@ -39,6 +40,7 @@ Model build_model(const fs::path& scene_file, const std::vector<std::string>& ov
 
 std::vector<std::string> early_warnings(const Model& model) {
   std::vector<std::string> found = idle_parts(model.scene);
+  for (std::string& line : outline_notes(model.scene)) found.push_back(std::move(line));
   const auto& tools = model.scene.tools;
   // to make triangles of CAD takes long, and the finished run tells as well
   if (std::any_of(tools.begin(), tools.end(), [](const ToolSpec& tool) { return is_cad_file(tool.file); }))

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "app/stages.hpp"
 #include "app/version.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/base/length_unit.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/transfer/fibre_field.hpp"
@@ -30,14 +32,17 @@ const std::map<std::string, MeshFormat> mesh_formats = {{"abaqus", MeshFormat::a
                                                         {"lsdyna", MeshFormat::lsdyna},
                                                         {"openradioss", MeshFormat::openradioss},
                                                         {"gmsh", MeshFormat::gmsh}};
-const std::vector<std::string> fibre_formats = {"orientation-abaqus", "drape-openradioss", "csv", "vtu"};
+const std::vector<std::string> fibre_formats = {"orientation-abaqus", "orientation-calculix", "drape-openradioss",
+                                                "csv", "vtu"};
 
 struct ExportArguments {
   std::string from;  // scene file or folder
   std::vector<std::string> overrides;
   std::string format;
   std::string output;
-  std::string onto;
+  std::string onto, part, unit;  // part and unit of the mesh to map onto
+  std::vector<double> position, rotation;
+  std::optional<double> within, group_angle;
   bool force = false, quiet = false, yes = false;
 };
 
@@ -70,7 +75,9 @@ void log_not_carried(const ExportArguments& arguments, const std::vector<std::st
 
 void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   if (!arguments.onto.empty())
-    throw InputError("--onto maps a formed result; it goes with orientation-abaqus, drape-openradioss, csv and vtu");
+    throw InputError(
+        "--onto maps a formed result; it goes with orientation-abaqus, orientation-calculix, drape-openradioss, "
+        "csv and vtu");
   const Model model = model_of(arguments);
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
   const double duration = choose_loading(model.scene, model.card).duration;
@@ -78,6 +85,57 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   write_text_whole(arguments.output, file.text);
   log_not_carried(arguments, file.not_carried);
   if (!arguments.quiet) print_answer(fmt::format("{}: {}", arguments.output, describe(model)));
+}
+
+// What says something of --onto alone, or of one format.
+void require_use(const ExportArguments& arguments) {
+  const bool given = !arguments.part.empty() || !arguments.unit.empty() || !arguments.position.empty() ||
+                     !arguments.rotation.empty() || arguments.within;
+  if (given && arguments.onto.empty())
+    throw InputError("--part, --unit, --position, --rotation and --within go with --onto FILE");
+  if (arguments.group_angle && arguments.format != "orientation-calculix")
+    throw InputError("--group-angle goes with --format orientation-calculix");
+}
+
+Onto onto_of(const ExportArguments& arguments) {
+  Onto onto;
+  onto.unit = arguments.unit;
+  onto.within = arguments.within;
+  if (!arguments.position.empty()) std::copy_n(arguments.position.begin(), 3, onto.position.begin());
+  if (!arguments.rotation.empty()) {
+    std::copy_n(arguments.rotation.begin(), 3, onto.axis.begin());
+    onto.angle = arguments.rotation[3];
+  }
+  return onto;
+}
+
+FibreField mapped(const ExportArguments& arguments, const FibreField& field) {
+  const ForeignMesh structure = read_structural_mesh(arguments.onto, arguments.part);
+  if (arguments.format.starts_with("orientation-"))
+    for (const auto& shell : structure.shells)
+      if (structure.instance[shell.instance].turned)
+        throw InputError(
+            fmt::format("{}: instance '{}' is turned in the assembly, while {} is written in the axes of its "
+                        "part; map onto the part alone with --rotation, or onto a flat file",
+                        arguments.onto, structure.instance[shell.instance].name, arguments.format));
+  return map_onto(field, structure, onto_of(arguments));
+}
+
+void warn_of_far_shells(const ExportArguments& arguments, const FibreField& field) {
+  if (field.far > 0)
+    log_warning(
+        fmt::format("{}: {} of {} shells lie farther than {:.4g} mm from the formed fabric, the farthest {:.4g} mm; "
+                    "they get no direction (--within sets that distance)",
+                    arguments.onto, field.far, field.element.size(), field.within, field.greatest_distance));
+}
+
+FibreText fibre_text(const ExportArguments& arguments, const FibreField& field) {
+  constexpr double group_angle = 1.0;  // deg
+  if (arguments.format == "csv") return fibre_csv(field);
+  if (arguments.format == "orientation-abaqus") return orientation_abaqus(field, version_line());
+  if (arguments.format == "orientation-calculix")
+    return orientation_calculix(field, arguments.group_angle.value_or(group_angle), version_line());
+  return drape_openradioss(field, version_line());
 }
 
 void export_fibres(const ExportArguments& arguments) {
@@ -90,25 +148,29 @@ void export_fibres(const ExportArguments& arguments) {
                    : arguments.format == "vtu" ? "Name=\"fibre_volume_ratio\""
                                                : "");
   FibreField field = read_fibre_field(arguments.from);
-  if (!arguments.onto.empty()) field = map_onto(field, read_structural_mesh(arguments.onto));
+  if (!arguments.onto.empty()) field = mapped(arguments, field);
+  warn_of_far_shells(arguments, field);
   if (arguments.format == "vtu") {
     write_fibre_vtu(field, arguments.output);
   } else {
-    const FibreText file = arguments.format == "csv"                  ? fibre_csv(field)
-                           : arguments.format == "orientation-abaqus" ? orientation_abaqus(field, version_line())
-                                                                      : drape_openradioss(field, version_line());
+    const FibreText file = fibre_text(arguments, field);
     write_text_whole(arguments.output, file.text);
     log_not_carried(arguments, file.not_carried);
   }
   if (arguments.quiet) return;
   std::string answer = fmt::format("{}: {} shells", arguments.output, field.element.size());
   if (!arguments.onto.empty())
-    answer += fmt::format("; distance from the formed fabric: greatest {:.4g} mm, mean {:.4g} mm",
-                          field.greatest_distance, field.mean_distance);
+    answer += fmt::format("; distance from the formed fabric: greatest {:.4g} mm, mean {:.4g} mm{}",
+                          field.greatest_distance, field.mean_distance,
+                          field.far > 0
+                              ? fmt::format(" of the {} within {:.4g} mm",
+                                            field.element.size() - static_cast<std::size_t>(field.far), field.within)
+                              : "");
   print_answer(answer);
 }
 
 void run_export(const ExportArguments& arguments) {
+  require_use(arguments);
   const auto mesh = mesh_formats.find(arguments.format);
   if (mesh != mesh_formats.end())
     export_the_mesh(arguments, mesh->second);
@@ -128,13 +190,44 @@ void add_export_command(CLI::App& program) {
   for (const auto& [name, format] : mesh_formats) formats.push_back(name);
   command
       ->add_option("--format", arguments->format,
-                   "Mesh: abaqus, lsdyna, openradioss, gmsh. Formed result: orientation-abaqus, drape-openradioss, "
-                   "csv, vtu")
+                   "Mesh: abaqus, lsdyna, openradioss, gmsh. Formed result: orientation-abaqus, orientation-calculix, "
+                   "drape-openradioss, csv, vtu")
       ->required()
       ->check(CLI::IsMember(formats));
   command->add_option("-o,--output", arguments->output, "File to write")->required()->type_name("FILE");
   command->add_option("--onto", arguments->onto, "Structural shell mesh to map onto (.inp, .msh, .vtu)")
       ->type_name("FILE");
+  command
+      ->add_option("--part", arguments->part, "Of that mesh: the part, instance or element set whose shells are meant")
+      ->type_name("NAME");
+  command
+      ->add_option("--unit", arguments->unit,
+                   "Of that mesh: mm, cm, m, inch; left out: mm, and asked about when it is then out of proportion")
+      ->check(CLI::IsMember(length_units));
+  command
+      ->add_option("--rotation", arguments->rotation, "Turns that mesh about an axis through its origin: x,y,z,degrees")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("X,Y,Z,DEG");
+  command
+      ->add_option(
+          "--position", arguments->position,
+          "Then moves its origin to this place (mm) of the scene; what is written stays in the mesh's own axes")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z");
+  command
+      ->add_option("--within", arguments->within,
+                   "Shells farther than this (mm) from the fabric get no direction (default: half the mean side of the "
+                   "shells or of the fabric's cells)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("MM");
+  command
+      ->add_option("--group-angle", arguments->group_angle,
+                   "Of orientation-calculix: shells with directions within this angle share a section (default 1 deg; "
+                   "0: none but equal ones)")
+      ->check(CLI::Range(0.0, 45.0))
+      ->type_name("DEG");
   command
       ->add_option("--set", arguments->overrides,
                    "Override a value of the scene, e.g. --set blank.coarsening=2; repeatable")

@@ -279,6 +279,7 @@ TomlText toml_text(const std::vector<double>& value) {
 }
 
 TomlText toml_text(const std::vector<std::string>& value) {
+  if (value.empty()) return std::nullopt;
   std::vector<std::string> parts;
   for (const auto& text : value) parts.push_back(quoted(text));
   return fmt::format("[{}]", fmt::join(parts, ", "));

@@ -115,11 +115,31 @@ void add_elements(const Gathered& model, const Membership& member, std::string& 
   out += "$EndElements\n";
 }
 
-void add_data(const Gathered& model, std::string& out) {
+// The elements' numbers in the order of add_elements: meshio takes data by their order, and must find as many.
+std::vector<int> numbers_in_order(const Gathered& model, const Membership& member) {
   const Mesh& mesh = model.mesh;
-  out += fmt::format("$ElementData\n1\n\"section_mm2\"\n1\n0\n3\n0\n1\n{}\n", mesh.yarn_count());
-  for (int e = 0; e < mesh.yarn_count(); ++e)
-    out += fmt::format("{} {}\n", e + 1, mesh.yarns.section[e] * mesh.yarns.softening[e]);
+  std::vector<int> numbers;
+  const int first_point = model.first_shell() + static_cast<int>(model.shells.size());
+  for (std::size_t k = 0; k < member.point.size(); ++k) numbers.push_back(first_point + static_cast<int>(k));
+  for (const Family family : {Family::warp, Family::weft})
+    for (int e = 0; e < mesh.yarn_count(); ++e)
+      if (mesh.yarns.family[e] == family) numbers.push_back(e + 1);
+  for (const int size : {3, 4})
+    for (std::size_t k = 0; k < model.shells.size(); ++k)
+      if (model.shells[k].size() == size) numbers.push_back(model.first_shell() + static_cast<int>(k));
+  return numbers;
+}
+
+// 0 where there is no yarn.
+void add_data(const Gathered& model, const Membership& member, std::string& out) {
+  const Mesh& mesh = model.mesh;
+  const std::vector<int> numbers = numbers_in_order(model, member);
+  out += fmt::format("$ElementData\n1\n\"section_mm2\"\n1\n0\n3\n0\n1\n{}\n", numbers.size());
+  for (const int number : numbers) {
+    const int e = number - 1;
+    out +=
+        fmt::format("{} {}\n", number, e < mesh.yarn_count() ? mesh.yarns.section[e] * mesh.yarns.softening[e] : 0.0);
+  }
   out += "$EndElementData\n";
 }
 
@@ -138,7 +158,7 @@ ExportedMesh write_gmsh(const Gathered& model) {
   add_entities(model.mesh, member, out);
   add_nodes(model.mesh, member, out);
   add_elements(model, member, out);
-  add_data(model, out);
+  add_data(model, member, out);
   out += "$Weaveform\n";
   for (const auto& line : weave_lines(model.scene, model.mesh)) out += line + "\n";
   out += "$EndWeaveform\n";

@@ -1,5 +1,5 @@
 // mesh.vtu: the only reader and writer of the mesh's file. Lines and polygons in one grid; cell data `family` selects
-// warp (1), weft (2) and cells (0) in ParaView; everything the solver needs is stored, doubles as raw binary.
+// warp (1), weft (2) and cells (0) in ParaView; everything the solver needs is stored, doubles bit by bit.
 #pragma once
 
 #include <filesystem>

@@ -161,11 +161,15 @@ void get_field_data(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
 
 void get_ties(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
   const VtuArray* corner = wanted.array<std::int32_t>(grid.field_data, "frame_corner", 4, 1);
-  const VtuArray* any = find_array(grid.field_data, "tie_node");
-  const std::size_t ties = any == nullptr ? 0 : any->tuples;
-  const VtuArray* node = wanted.array<std::int32_t>(grid.field_data, "tie_node", 3, ties);
-  const VtuArray* share = wanted.array<double>(grid.field_data, "tie_share", 1, ties);
+  const VtuArray* count = wanted.array<std::int32_t>(grid.field_data, "tie_count", 1, 1);
   wanted.stop_if_any();
+  const auto ties = static_cast<std::size_t>(std::max(count->at<std::int32_t>(0), 0));
+  const VtuArray *node = nullptr, *share = nullptr;
+  if (ties > 0) {
+    node = wanted.array<std::int32_t>(grid.field_data, "tie_node", 3, ties);
+    share = wanted.array<double>(grid.field_data, "tie_share", 1, ties);
+    wanted.stop_if_any();
+  }
   for (std::size_t k = 0; k < mesh.frame.corner.size(); ++k) mesh.frame.corner[k] = corner->at<std::int32_t>(k);
   const auto points = static_cast<int>(grid.point.size());
   const auto valid = [points](int n) { return n >= 0 && n < points; };

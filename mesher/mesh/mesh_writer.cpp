@@ -158,8 +158,13 @@ void put_ties(const Mesh& mesh, vtkUnstructuredGrid& grid) {
     node->SetTypedTuple(static_cast<vtkIdType>(k), nodes);
     share->SetValue(static_cast<vtkIdType>(k), tie.share);
   }
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{corner, node, share})
-    grid.GetFieldData()->AddArray(array);
+  auto count = new_array<vtkIntArray>("tie_count", 1, 1);
+  count->SetValue(0, static_cast<int>(mesh.tie.size()));
+  grid.GetFieldData()->AddArray(corner);
+  grid.GetFieldData()->AddArray(count);
+  if (mesh.tie.empty()) return;  // meshio reads no empty array
+  grid.GetFieldData()->AddArray(node);
+  grid.GetFieldData()->AddArray(share);
 }
 
 }  // namespace

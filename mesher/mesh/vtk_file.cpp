@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "mesher/base/files.hpp"
-#include "mesher/mesh/mesh_format.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 
 namespace weaveform {
@@ -17,21 +16,20 @@ void keep_vtk_in_one_thread() {
   setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
 }
 
+// VTK writes to memory, for its writer does not survive a full disk in every encoding.
 void write_vtk_whole(const std::filesystem::path& file, vtkXMLWriter& writer) {
-  write_whole(file, [&](const std::filesystem::path& temporary) {
-    keep_vtk_in_one_thread();
+  keep_vtk_in_one_thread();
+  {
     const VtkMessages kept_off_the_terminal;
-    writer.SetDataModeToAppended();
-    writer.EncodeAppendedDataOff();
-    writer.SetCompressorTypeToNone();
+    // in place and as text, for meshio loses its way among raw bytes at the end; compressed it is smaller than these
+    writer.SetDataModeToBinary();
+    writer.SetCompressorTypeToZLib();
+    writer.SetCompressionLevel(1);
     writer.SetHeaderTypeToUInt64();
-    writer.SetFileName(temporary.c_str());
-    errno = 0;
-    const bool written = writer.Write() == 1 && mesh_format::ends_with_closing_tag(temporary);
-    const unsigned long error = writer.GetErrorCode();
-    if (error == vtkErrorCode::OutOfDiskSpaceError) throw_cannot_write(file, ENOSPC);
-    if (!written || error != vtkErrorCode::NoError) throw_cannot_write(file, errno);
-  });
+    writer.WriteToOutputStringOn();
+    if (writer.Write() != 1 || writer.GetErrorCode() != vtkErrorCode::NoError) throw_cannot_write(file, ENOMEM);
+  }
+  write_text_whole(file, writer.GetOutputString());
 }
 
 }  // namespace weaveform

@@ -6,7 +6,10 @@
 #include <filesystem>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/length_unit.hpp"
+#include "mesher/import/text_words.hpp"
 #include "mesher/outline/cad_outline.hpp"
+#include "mesher/outline/dxf_outline.hpp"
 #include "mesher/outline/loops.hpp"
 #include "mesher/tools/cad.hpp"
 
@@ -20,16 +23,43 @@ std::string outline_file(const Scene& scene) {
   return file.is_absolute() ? file.string() : (std::filesystem::path(scene.file).parent_path() / file).string();
 }
 
+DxfAsked dxf_asked(const Scene& scene) {
+  return {scene.blank.outline_unit, scene.blank.outline_layers, outline_chord_tolerance};
+}
+
+bool names_its_unit(const std::string& file) {
+  const std::string ending = upper(std::filesystem::path(file).extension().string());
+  return ending == ".STEP" || ending == ".STP" || ending == ".IGES" || ending == ".IGS";
+}
+
+std::vector<OutlineLoop> file_loops(const Scene& scene, const std::string& file, std::vector<std::string>& complaints) {
+  if (is_dxf_file(file)) return read_dxf_outline(file, dxf_asked(scene), complaints).loops;
+  if (!scene.blank.outline_layers.empty())
+    complaints.push_back(file + ": blank.outline_layers means nothing to it; only a DXF drawing has layers");
+  if (!scene.blank.outline_unit.empty() && names_its_unit(file))
+    complaints.push_back(file + ": STEP and IGES files name their unit themselves; leave blank.outline_unit out");
+  auto loops = is_cad_file(file) ? read_cad_outline(file, outline_chord_tolerance, complaints)
+                                 : read_outline_csv(file, complaints);
+  for (auto& loop : loops)
+    for (auto& point : loop.point)
+      for (double& x : point) x *= millimetres_in(scene.blank.outline_unit);
+  return loops;
+}
+
 }  // namespace
+
+std::vector<std::string> outline_notes(const Scene& scene) {
+  if (scene.blank.shape != "file" || !is_dxf_file(scene.blank.outline)) return {};
+  std::vector<std::string> complaints;  // the mesher's
+  return read_dxf_outline(outline_file(scene), dxf_asked(scene), complaints).notes;
+}
 
 std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string>& complaints) {
   const BlankSpec& blank = scene.blank;
   if (blank.shape == "disc") return {ellipse_loop(blank.size)};
   if (blank.shape == "file") {
     const std::string file = outline_file(scene);
-    auto loops = is_cad_file(file) ? read_cad_outline(file, outline_chord_tolerance, complaints)
-                                   : read_outline_csv(file, complaints);
-    return sound_loops(std::move(loops), file, complaints);
+    return sound_loops(file_loops(scene, file, complaints), file, complaints);
   }
   OutlineLoop loop;
   for (const auto& corner : blank.corners) {

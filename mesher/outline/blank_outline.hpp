@@ -20,6 +20,9 @@ namespace weaveform {
 // The closed loops of a disc, polygon or file, in the blank's own frame; complaints as above.
 [[nodiscard]] std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string>& complaints);
 
+// What a file's outline took for granted (unit, layers), one line each in the words of a warning. Throws as above.
+[[nodiscard]] std::vector<std::string> outline_notes(const Scene& scene);
+
 // mm; extent of the blank along its own axes: blank.size, or that of the given corners or file.
 [[nodiscard]] std::array<double, 2> blank_extent(const Scene& scene);
 

@@ -11,6 +11,7 @@
 
 #include "mesher/base/bytes.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/outline/join_curves.hpp"
 #include "mesher/tools/gmsh_session.hpp"
 #include "mesher/tools/triangles.hpp"
 
@@ -121,34 +122,6 @@ double extent_of(const std::vector<Polyline>& lines) {
   return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 0.0});
 }
 
-// Joins curves end to end until each loop closes.
-std::vector<OutlineLoop> joined_loops(std::vector<Polyline> lines, double near, const std::string& file,
-                                      std::vector<std::string>& complaints) {
-  std::vector<OutlineLoop> loops;
-  while (!lines.empty()) {
-    Polyline loop = std::move(lines.back());
-    lines.pop_back();
-    while (distance(loop.front(), loop.back()) > near || loop.size() < 3) {
-      const auto next = std::find_if(lines.begin(), lines.end(), [&](const Polyline& line) {
-        return distance(line.front(), loop.back()) <= near || distance(line.back(), loop.back()) <= near;
-      });
-      if (next == lines.end()) {
-        complaints.push_back(fmt::format(
-            "{}: the outline is open at ({:.6g}, {:.6g}); close it: {:.4g} mm are missing to where it began", file,
-            loop.back()[0], loop.back()[1], distance(loop.front(), loop.back())));
-        return {};
-      }
-      if (distance(next->front(), loop.back()) > near) std::reverse(next->begin(), next->end());
-      loop.insert(loop.end(), next->begin() + 1, next->end());
-      lines.erase(next);
-    }
-    OutlineLoop closed;
-    for (std::size_t k = 0; k + 1 < loop.size(); ++k) closed.point.push_back({loop[k][0], loop[k][1]});
-    loops.push_back(std::move(closed));
-  }
-  return loops;
-}
-
 }  // namespace
 
 std::vector<OutlineLoop> read_cad_outline(const std::string& file, double chord_tolerance,
@@ -168,7 +141,12 @@ std::vector<OutlineLoop> read_cad_outline(const std::string& file, double chord_
                         file, p[2], p[0], p[1], height));
         return {};
       }
-  return joined_loops(std::move(lines), joined * extent, file, complaints);
+  std::vector<OutlineCurve> curves;
+  for (const auto& line : lines) {
+    curves.push_back({});
+    for (const auto& p : line) curves.back().point.push_back({p[0], p[1]});
+  }
+  return join_curves(std::move(curves), joined * extent, file, complaints);
 }
 
 }  // namespace weaveform

@@ -148,12 +148,30 @@ std::optional<Point> read_point(std::string line) {
   return point;
 }
 
-void close_loop(OutlineLoop& loop, std::vector<OutlineLoop>& loops, std::vector<std::string>& complaints) {
+// Troubles of one kind in a file: the first in full, the others counted.
+class Troubles {
+public:
+  void add(const std::string& what) {
+    if (count_++ == 0) first_ = what;
+  }
+  // `more` tells of the others: "{}" is their number.
+  void tell(const std::string& more, std::vector<std::string>& complaints) const {
+    if (count_ > 0)
+      complaints.push_back(count_ == 1 ? first_ : first_ + fmt::format(fmt::runtime("; " + more), count_ - 1));
+  }
+  [[nodiscard]] bool any() const { return count_ > 0; }
+
+private:
+  std::size_t count_ = 0;
+  std::string first_;
+};
+
+void close_loop(OutlineLoop& loop, std::vector<OutlineLoop>& loops, Troubles& open) {
   if (loop.point.empty()) return;
   const Point &first = loop.point.front(), &last = loop.point.back();
   const double gap = std::hypot(last[0] - first[0], last[1] - first[1]);
   if (loop.point.size() < 4 || gap > closed * extent_of(loop)) {
-    complaints.push_back(fmt::format(
+    open.add(fmt::format(
         "{}: the outline is open: it ends {:.4g} mm from where it began at {} ({:.6g}, {:.6g}); repeat the first point "
         "to close it",
         loop.place.back(), gap, loop.place.front(), first[0], first[1]));
@@ -163,6 +181,15 @@ void close_loop(OutlineLoop& loop, std::vector<OutlineLoop>& loops, std::vector<
     loops.push_back(loop);
   }
   loop = {};
+}
+
+// As much of a line as a message can hold; bytes that are no text as '?'.
+std::string shown(const std::string& line) {
+  constexpr std::size_t most = 40;
+  std::string text = line.substr(0, most);
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = '?';
+  return line.size() > most ? text + "..." : text;
 }
 
 }  // namespace
@@ -207,11 +234,12 @@ std::vector<OutlineLoop> read_outline_csv(const std::string& file, std::vector<s
   std::vector<OutlineLoop> loops;
   OutlineLoop loop;
   std::string line;
+  Troubles wrong, open;
   bool heading_seen = false;
   for (int number = 1; std::getline(in, line); ++number) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.find_first_not_of(" \t,;") == std::string::npos) {
-      close_loop(loop, loops, complaints);
+      close_loop(loop, loops, open);
       continue;
     }
     if (line[line.find_first_not_of(" \t")] == '#') continue;
@@ -221,14 +249,19 @@ std::vector<OutlineLoop> read_outline_csv(const std::string& file, std::vector<s
         heading_seen = true;
         continue;
       }
-      complaints.push_back(
-          fmt::format("{}:{}: '{}' is not a point; write x,y in mm with decimal points", file, number, line));
+      wrong.add(
+          fmt::format("{}:{}: '{}' is not a point; write x,y in mm with decimal points", file, number, shown(line)));
       continue;
     }
     loop.point.push_back(*point);
     loop.place.push_back(fmt::format("{}:{}", file, number));
   }
-  close_loop(loop, loops, complaints);
+  close_loop(loop, loops, open);
+  wrong.tell(
+      "{} other lines are none either: is this an outline? CSV, DXF, STEP, IGES, BREP and .geo are read, by their "
+      "endings",
+      complaints);
+  if (!wrong.any()) open.tell("{} other loops are open too", complaints);
   return loops;
 }
 

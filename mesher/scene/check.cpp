@@ -129,6 +129,10 @@ void check_blank(const Scene& scene, const toml::table& root, Complaints& compla
   };
   goes_with("corners", !blank.corners.empty(), "polygon");
   goes_with("outline", !blank.outline.empty(), "file");
+  for (const auto& [key, given] : {std::pair{"outline_unit", !blank.outline_unit.empty()},
+                                   std::pair{"outline_layers", !blank.outline_layers.empty()}})
+    if (given && blank.shape != "file")
+      complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs shape = \"file\"", key));
   goes_with("arm_width", blank.arm_width.has_value(), "cross");
   if (blank.on_roll && blank.phase != std::array<double, 2>{0.0, 0.0})
     complaints.add(place_of(*table, "phase"),

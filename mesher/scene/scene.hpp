@@ -27,6 +27,8 @@ struct BlankSpec {
       0.0, 0.0};  // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
   std::vector<std::vector<double>> corners;      // mm; of a polygon, [x, y] each, blank frame
   std::string outline;                           // file of the outline; relative to the scene file
+  std::string outline_unit;                      // of that file: "mm", "cm", "m", "inch"; empty: its own, or mm
+  std::vector<std::string> outline_layers;       // of a DXF drawing; none: all that are on
   Auto arm_width;                                // mm; of a cross
   std::optional<std::array<double, 2>> on_roll;  // mm; where the centre lies on the roll; none: lines by phase and fit
   std::string fit = "grips";  // "grips": spacing (within 15 %) and phase meet the ends of the gripped edges; "none"

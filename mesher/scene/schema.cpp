@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "mesher/base/length_unit.hpp"
+
 namespace weaveform {
 namespace {
 
@@ -29,10 +31,16 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                                   "the first"}),
     key<&BlankSpec::outline>(
         {.name = "outline",
-         .doc =
-             "for shape = \"file\", relative to the scene file: STEP, IGES, BREP or Gmsh script (.geo) with a planar "
-             "face or closed curves, chords within 0.01 mm; or CSV with rows x,y (mm, blank's frame), closed "
-             "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
+         .doc = "for shape = \"file\", relative to the scene file: DXF (lines, arcs, polylines, circles, ellipses, "
+                "splines), STEP, IGES, BREP or Gmsh script (.geo) with a planar "
+                "face or closed curves, chords within 0.01 mm; or CSV with rows x,y (mm, blank's frame), closed "
+                "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
+    key<&BlankSpec::outline_unit>({.name = "outline_unit",
+                                   .allowed = length_units,
+                                   .doc = "of that file; left out: what a DXF drawing ($INSUNITS), STEP or IGES file "
+                                          "names, mm where none is named"}),
+    key<&BlankSpec::outline_layers>(
+        {.name = "outline_layers", .doc = "of a DXF drawing, whose curves bound the blank; left out: all that are on"}),
     key<&BlankSpec::arm_width>({.name = "arm_width",
                                 .unit = "mm",
                                 .limits = above(0, 1e6),

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct StateElement {
   Vec3 centre = {};       // mm
   FibreState state;
   double distance = 0.0;  // mm; from the formed fabric; 0 on our own cells
+  bool far = false;       // farther than FibreField::within: there is no fabric there, and `state` says nothing
 };
 
 struct FibreField {
@@ -35,7 +37,10 @@ struct FibreField {
   double flat_thickness = 0.0;                          // mm
   std::array<Vec3, 2> flat_direction = {};              // unit; warp and weft before forming
   std::string source;                                   // what was read, for headers
-  double greatest_distance = 0.0, mean_distance = 0.0;  // mm
+  double greatest_distance = 0.0, mean_distance = 0.0;  // mm; the mean of the shells that are not far
+  double within = 0.0;                                  // mm; beyond it a shell is far
+  int far = 0;                                          // shells that are
+  std::string unit = "mm";                              // of the file whose shells they are; lengths above stay in mm
   int steep = 0;  // elements that the flat warp direction meets within 5 deg of their normal (drape angles are poor)
 };
 
@@ -44,11 +49,24 @@ struct FibreField {
 // The same from a mesh and positions in memory.
 [[nodiscard]] FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<Vec3>& position);
 
-// Shells of a structural mesh: .inp, .msh, or .vtu (triangles and quadrilaterals). Throws FileError, InputError.
-[[nodiscard]] ForeignMesh read_structural_mesh(const std::filesystem::path& file);
+// How a structural mesh lies to the formed fabric.
+struct Onto {
+  std::string unit;                 // of its file, base/length_unit.hpp; "": mm, and asked about when out of proportion
+  Vec3 axis = {0.0, 0.0, 1.0};      // first it is turned about this axis through its origin
+  double angle = 0.0;               // deg; by the right hand
+  Vec3 position = {0.0, 0.0, 0.0};  // mm; then its origin is moved here, into the place it has in the scene
+  std::optional<double> within;     // mm; none: half the mean side of its shells or of the fabric's, the larger of both
+};
+
+// Shells of a structural mesh: .inp, .msh, or .vtu (triangles and quadrilaterals); of those the ones of `part`
+// (shells_named), unless it is empty. Throws FileError, InputError; so when shells share a number, which those of
+// several parts may.
+[[nodiscard]] ForeignMesh read_structural_mesh(const std::filesystem::path& file, const std::string& part = "");
 
 // Carried onto the shells of another mesh: each takes, at its centre's closest point of the formed fabric, directions
-// and ratios interpolated from means at the nodes, turned into its own plane (nearest unit vectors in it).
-[[nodiscard]] FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure);
+// and ratios interpolated from means at the nodes, turned into its own plane (nearest unit vectors in it). Positions
+// and directions are in the axes of the mesh. Throws InputError when its size is out of all proportion to the fabric's
+// and no unit is given, when a shell stands across the fabric, or when all of them are far from it.
+[[nodiscard]] FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure, const Onto& onto = {});
 
 }  // namespace weaveform

@@ -13,9 +13,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/length_unit.hpp"
 #include "mesher/import/foreign_mesh.hpp"
+#include "mesher/import/text_words.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
 #include "mesher/tools/triangle_list.hpp"
 #include "post/transfer/fibre_field.hpp"
@@ -85,6 +89,12 @@ vtkSmartPointer<vtkPolyData> surface_of(const FibreField& fabric) {
   return surface;
 }
 
+Vec3 centre_of(const std::vector<int>& node, const std::vector<Vec3>& position) {
+  Vector3d sum = Vector3d::Zero();
+  for (const int n : node) sum += vector_of(position[n]);
+  return array_of(sum / static_cast<double>(node.size()));
+}
+
 FibreState turned_into_plane(const Nodal& at, const Vector3d& normal, const std::string& where) {
   FibreState state;
   const auto in_plane = [&](const Vector3d& d) -> Vector3d { return d - d.dot(normal) * normal; };
@@ -105,48 +115,152 @@ FibreState turned_into_plane(const Nodal& at, const Vector3d& normal, const std:
   return state;
 }
 
+double extent_of(const std::vector<Vec3>& position, const std::vector<int>& node) {
+  Vector3d low = Vector3d::Constant(1e300), high = -low;
+  for (const int n : node) {
+    low = low.cwiseMin(vector_of(position[n]));
+    high = high.cwiseMax(vector_of(position[n]));
+  }
+  return node.empty() ? 0.0 : (high - low).maxCoeff();
+}
+
+template <class Elements>
+std::vector<int> nodes_of(const Elements& elements) {
+  std::vector<int> nodes;
+  for (const auto& element : elements) nodes.insert(nodes.end(), element.node.begin(), element.node.end());
+  return nodes;
+}
+
+// mm; root of the mean area.
+template <class Elements>
+double mean_side(const Elements& elements, const std::vector<Vec3>& position) {
+  double area = 0.0;
+  for (const auto& element : elements) area += area_vector(element.node, position).norm();
+  return elements.empty() ? 0.0 : std::sqrt(area / static_cast<double>(elements.size()));
+}
+
+// A part and the fabric on it are of one size; factors between units are far from that.
+void check_proportion(double part, double fabric, const std::string& file) {
+  constexpr double farthest = 50.0;
+  if (part * farthest < fabric)
+    throw InputError(
+        fmt::format("{}: its shells are {:.3g} mm across and the formed fabric {:.4g} mm: is the file in "
+                    "metres? Give --unit m (or cm, inch; mm if it is right)",
+                    file, part, fabric));
+  if (part > farthest * fabric)
+    throw InputError(
+        fmt::format("{}: its shells are {:.4g} mm across and the formed fabric {:.4g} mm: is it in "
+                    "micrometres? Give --unit mm if it is right",
+                    file, part, fabric));
+}
+
+// The structure in mm, in its own axes and where it lies in the scene.
+struct Placed {
+  std::vector<Vec3> own, world;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+};
+
+Placed placed(const ForeignMesh& structure, const Onto& onto) {
+  Placed result;
+  const Vector3d axis = vector_of(onto.axis), origin = vector_of(onto.position);
+  if (onto.angle != 0.0) {
+    if (!(axis.norm() > 0.0)) throw InputError("the axis to turn about has no length; give it one");
+    result.turn = Eigen::AngleAxisd(onto.angle * std::numbers::pi / 180.0, axis.normalized()).toRotationMatrix();
+  }
+  for (const Vec3& x : structure.position) {
+    const Vector3d own = millimetres_in(onto.unit) * vector_of(x);
+    result.own.push_back(array_of(own));
+    result.world.push_back(array_of(result.turn * own + origin));
+  }
+  return result;
+}
+
+// What lies nearest in the formed fabric.
+class Nearest {
+public:
+  explicit Nearest(const FibreField& fabric) : surface_(surface_of(fabric)), mean_(nodal_means(fabric)) {
+    locator_->SetDataSet(surface_);
+    locator_->BuildLocator();
+  }
+  // Interpolated there; `distance` (mm) is the way to it.
+  [[nodiscard]] Nodal at(const Vector3d& point, double& distance) {
+    double closest[3], squared = 0.0;
+    vtkIdType id = -1;
+    int sub = 0;
+    locator_->FindClosestPoint(point.data(), closest, cell_, id, sub, squared);
+    if (id < 0) throw InputError("the formed fabric has no cells to map from");
+    distance = std::sqrt(squared);
+    double parametric[3], weight[4] = {}, far = 0.0, on_cell[3];
+    (void)cell_->EvaluatePosition(closest, on_cell, sub, parametric, far, weight);
+    Nodal found;
+    for (vtkIdType k = 0; k < cell_->GetNumberOfPoints(); ++k)
+      found.add(mean_[static_cast<std::size_t>(cell_->GetPointId(static_cast<int>(k)))], weight[k]);
+    return found;
+  }
+
+private:
+  vtkSmartPointer<vtkPolyData> surface_;
+  std::vector<Nodal> mean_;
+  vtkNew<vtkStaticCellLocator> locator_;
+  vtkNew<vtkGenericCell> cell_;
+};
+
+Vec3 turned_back(const Vec3& direction, const Eigen::Matrix3d& turn) {
+  return array_of(turn.transpose() * vector_of(direction));
+}
+
+void require_near(const FibreField& result, const std::string& file) {
+  if (result.far == static_cast<int>(result.element.size()))
+    throw InputError(
+        fmt::format("{}: no shell lies within {:.4g} mm of the formed fabric, the nearest is {:.4g} mm away; "
+                    "move it with --position and --rotation, give its --unit, or allow more with --within",
+                    file, result.within,
+                    std::min_element(result.element.begin(), result.element.end(), [](const auto& a, const auto& b) {
+                      return a.distance < b.distance;
+                    })->distance));
+}
+
 }  // namespace
 
-FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure) {
-  const auto surface = surface_of(fabric);
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(surface);
-  locator->BuildLocator();
-  const std::vector<Nodal> mean = nodal_means(fabric);
+FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure, const Onto& onto) {
+  if (structure.shells.empty())
+    throw InputError(fmt::format("{}: no shells (triangles, quadrilaterals) to map onto", structure.file));
+  const Placed place = placed(structure, onto);
+  if (onto.unit.empty())
+    check_proportion(extent_of(place.own, nodes_of(structure.shells)),
+                     extent_of(fabric.position, nodes_of(fabric.element)), structure.file);
   FibreField result;
-  result.position = structure.position;
+  result.position = place.own;
   result.flat_thickness = fabric.flat_thickness;
-  result.flat_direction = fabric.flat_direction;
+  for (std::size_t f = 0; f < 2; ++f) result.flat_direction[f] = turned_back(fabric.flat_direction[f], place.turn);
   result.source = fabric.source + ", mapped onto " + structure.file;
-  vtkNew<vtkGenericCell> cell;
+  result.unit = onto.unit.empty() ? "mm" : onto.unit;
+  result.within = onto.within.value_or(
+      0.5 * std::max(mean_side(structure.shells, place.own), mean_side(fabric.element, fabric.position)));
+  Nearest nearest(fabric);
+  double sum = 0.0;
   for (const auto& shell : structure.shells) {
     StateElement element;
     element.number = shell.number;
     element.node = shell.node;
-    Vector3d centre = Vector3d::Zero();
-    for (const int n : shell.node) centre += vector_of(structure.position[n]) / static_cast<double>(shell.node.size());
-    element.centre = array_of(centre);
-    double closest[3], squared = 0.0;
-    vtkIdType id = -1;
-    int sub = 0;
-    locator->FindClosestPoint(element.centre.data(), closest, cell, id, sub, squared);
-    if (id < 0) throw InputError("the formed fabric has no cells to map from");
-    element.distance = std::sqrt(squared);
-    double parametric[3], weight[4] = {}, far = 0.0, on_cell[3];
-    (void)cell->EvaluatePosition(closest, on_cell, sub, parametric, far, weight);
-    Nodal at;
-    for (vtkIdType k = 0; k < cell->GetNumberOfPoints(); ++k)
-      at.add(mean[static_cast<std::size_t>(cell->GetPointId(static_cast<int>(k)))], weight[k]);
-    const Vector3d normal = area_vector(element.node, structure.position);
-    const std::string where = fmt::format("{}:{}: element {}", structure.file, shell.line, shell.number);
+    element.centre = centre_of(shell.node, place.own);
+    const Nodal at = nearest.at(vector_of(centre_of(shell.node, place.world)), element.distance);
+    element.far = element.distance > result.within;
+    const Vector3d normal = area_vector(element.node, place.world);
+    const std::string where = fmt::format("{}: element {}", structure.where(shell), shell.number);
     if (!(normal.norm() > 0.0)) throw InputError(where + ": has no area");
-    element.state = turned_into_plane(at, normal.normalized(), where);
+    if (!element.far) {
+      element.state = turned_into_plane(at, normal.normalized(), where);
+      element.state.warp = turned_back(element.state.warp, place.turn);
+      element.state.weft = turned_back(element.state.weft, place.turn);
+      sum += element.distance;
+    }
+    result.far += element.far ? 1 : 0;
     result.greatest_distance = std::max(result.greatest_distance, element.distance);
-    result.mean_distance += element.distance / static_cast<double>(structure.shells.size());
     result.element.push_back(std::move(element));
   }
-  if (result.element.empty())
-    throw InputError(fmt::format("{}: no shells (triangles, quadrilaterals) to map onto", structure.file));
+  require_near(result, structure.file);
+  result.mean_distance = sum / static_cast<double>(result.element.size() - static_cast<std::size_t>(result.far));
   return result;
 }
 
@@ -178,12 +292,34 @@ ForeignMesh read_vtu_shells(const std::filesystem::path& file) {
   return mesh;
 }
 
+// An analysis knows a shell by its number, which parts give each on their own.
+void require_own_numbers(const ForeignMesh& mesh) {
+  std::map<long, const ForeignElement*> seen;
+  for (const auto& shell : mesh.shells) {
+    const auto [other, fresh] = seen.emplace(shell.number, &shell);
+    if (fresh) continue;
+    throw InputError(fmt::format(
+        "{}: shells of '{}' and '{}' share the number {}; say with --part NAME which part is meant", mesh.file,
+        mesh.instance[other->second->instance].name, mesh.instance[shell.instance].name, shell.number));
+  }
+}
+
 }  // namespace
 
-ForeignMesh read_structural_mesh(const std::filesystem::path& file) {
-  ForeignMesh mesh = file.extension() == ".vtu" ? read_vtu_shells(file) : read_foreign_mesh(file);
+ForeignMesh read_structural_mesh(const std::filesystem::path& file, const std::string& part) {
+  const bool vtu = upper(file.extension().string()) == ".VTU";
+  ForeignMesh mesh = vtu ? read_vtu_shells(file) : read_foreign_mesh(file);
+  if (!part.empty()) {
+    std::vector<ForeignElement> kept;
+    for (const int k : shells_named(mesh, part)) kept.push_back(mesh.shells[k]);
+    mesh.shells = std::move(kept);
+    if (mesh.shells.empty())
+      throw InputError(fmt::format("{}: no part, instance or element set with shells is named '{}'", mesh.file, part));
+    mesh.element_sets.clear();  // they name places among all shells
+  }
   if (mesh.shells.empty())
     throw InputError(fmt::format("{}: no shells (triangles, quadrilaterals) to map onto", mesh.file));
+  require_own_numbers(mesh);
   return mesh;
 }
 

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/base/length_unit.hpp"
 #include "mesher/export/gathered.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 
@@ -29,21 +30,29 @@ std::string n20(double value) {
   return foreign::fit(value, 20);
 }
 
-std::string header(const std::string& mark, const FibreField& field, const std::string& written_by,
-                   const std::vector<std::string>& not_carried) {
-  std::string text = fmt::format("{0} Written by {1}\n{0} Fibre directions of {2}; {3} shells; units mm, deg\n", mark,
-                                 written_by, field.source, field.element.size());
+}  // namespace
+
+std::string fibre_header(const std::string& mark, const FibreField& field, const std::string& written_by,
+                         const std::vector<std::string>& not_carried) {
+  std::string text = fmt::format("{0} Written by {1}\n{0} Fibre directions of {2}; {3} shells; lengths in {4}\n", mark,
+                                 written_by, field.source, field.element.size(), field.unit);
   if (field.greatest_distance > 0.0)
     text += fmt::format("{} Distance from the formed fabric: greatest {:.6g} mm, mean {:.6g} mm\n", mark,
                         field.greatest_distance, field.mean_distance);
+  if (field.far > 0)
+    text += fmt::format("{} {} shells lie farther than {:.6g} mm from it: they are not in this file\n", mark, field.far,
+                        field.within);
   text += fmt::format("{} Not carried by this format, or carried in part:\n", mark);
   for (const auto& line : not_carried) text += fmt::format("{}  - {}\n", mark, line);
   return text;
 }
 
+namespace {
+
 void add_distribution(const std::string& name, const FibreField& field, bool weft, std::string& out) {
   out += fmt::format("*DISTRIBUTION, NAME={}, LOCATION=ELEMENT, TABLE=DIRECTIONS\n, 1., 0., 0., 0., 1., 0.\n", name);
   for (const auto& element : field.element) {
+    if (element.far) continue;
     const Vec3& a = weft ? element.state.weft : element.state.warp;
     Vec3 b = weft ? element.state.warp : element.state.weft;
     if (weft)  // so that 1, 2 and the normal keep their sense
@@ -61,15 +70,16 @@ FibreText orientation_abaqus(const FibreField& field, const std::string& written
   result.not_carried = {"shear angle: between FIBRE_WARP's and FIBRE_WEFT's local 1; as a number only in csv and vtu",
                         "fibre volume and mass ratios: only in csv and vtu"};
   std::string& out = result.text;
-  out = header("**", field, written_by, result.not_carried);
+  const double unit = millimetres_in(field.unit);
+  out = fibre_header("**", field, written_by, result.not_carried);
   out += "*DISTRIBUTION TABLE, NAME=DIRECTIONS\nCOORD3D, COORD3D\n";
   add_distribution("WARP_DIRECTIONS", field, false, out);
   add_distribution("WEFT_DIRECTIONS", field, true, out);
   out += "*DISTRIBUTION TABLE, NAME=LENGTHS\nLENGTH\n";
-  out +=
-      fmt::format("*DISTRIBUTION, NAME=THICKNESS, LOCATION=ELEMENT, TABLE=LENGTHS\n, {}\n", n20(field.flat_thickness));
+  out += fmt::format("*DISTRIBUTION, NAME=THICKNESS, LOCATION=ELEMENT, TABLE=LENGTHS\n, {}\n",
+                     n20(field.flat_thickness / unit));
   for (const auto& element : field.element)
-    out += fmt::format("{}, {}\n", element.number, n20(element.state.thickness));
+    if (!element.far) out += fmt::format("{}, {}\n", element.number, n20(element.state.thickness / unit));
   return result;
 }
 
@@ -95,6 +105,7 @@ FibreText drape_openradioss(const FibreField& field, const std::string& written_
   for (std::size_t f = 0; f < 2; ++f) {
     const Vec3& flat = field.flat_direction[f];
     for (const auto& element : field.element) {
+      if (element.far) continue;
       const PlaneAngle found = angle_in_plane(field, element, flat, f == 0 ? element.state.warp : element.state.weft);
       if (!found.good) ++steep;
       block[f] += fmt::format("{:<10}{:>10}{:>20}{:>20}\n", element.node.size() == 4 ? "SHELL" : "SH3N", element.number,
@@ -109,7 +120,7 @@ FibreText drape_openradioss(const FibreField& field, const std::string& written_
                     "normal there; take the directions from csv or vtu",
                     steep));
   const auto direction = [](const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); };
-  result.text = header("#", field, written_by, result.not_carried);
+  result.text = fibre_header("#", field, written_by, result.not_carried);
   for (std::size_t f = 0; f < 2; ++f)
     result.text += fmt::format(
         "# Angle from the projection of {} into the shell: the ply's reference direction\n"
@@ -118,17 +129,27 @@ FibreText drape_openradioss(const FibreField& field, const std::string& written_
   return result;
 }
 
+namespace {
+
+// Of a shell far from the fabric: no fabric, so zeros.
+FibreState state_or_nothing(const StateElement& element) {
+  return element.far ? FibreState{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, 0.0, 0.0, 0.0} : element.state;
+}
+
+}  // namespace
+
 FibreText fibre_csv(const FibreField& field) {
   FibreText result;
   result.text =
       "element,x_mm,y_mm,z_mm,warp_x,warp_y,warp_z,weft_x,weft_y,weft_z,shear_angle_deg,thickness_mm,"
-      "fibre_volume_ratio,fibre_mass_ratio,distance_mm\n";
+      "fibre_volume_ratio,fibre_mass_ratio,distance_mm,on_fabric\n";
   for (const auto& element : field.element) {
-    const FibreState& s = element.state;
-    result.text += fmt::format("{},{},{},{},{}\n", element.number, fmt::join(element.centre, ","),
-                               fmt::join(s.warp, ","), fmt::join(s.weft, ","),
-                               fmt::format("{},{},{},{},{}", s.shear_angle * degrees, s.thickness, s.fibre_volume_ratio,
-                                           s.fibre_mass_ratio, element.distance));
+    const FibreState s = state_or_nothing(element);
+    result.text +=
+        fmt::format("{},{},{},{},{}\n", element.number, fmt::join(element.centre, ","), fmt::join(s.warp, ","),
+                    fmt::join(s.weft, ","),
+                    fmt::format("{},{},{},{},{},{}", s.shear_angle * degrees, s.thickness, s.fibre_volume_ratio,
+                                s.fibre_mass_ratio, element.distance, element.far ? 0 : 1));
   }
   return result;
 }
@@ -149,13 +170,13 @@ void write_fibre_vtu(const FibreField& field, const std::filesystem::path& file)
   };
   const auto warp = array("warp_direction", 3), weft = array("weft_direction", 3), angle = array("shear_angle_deg", 1),
              thickness = array("thickness_mm", 1), volume = array("fibre_volume_ratio", 1),
-             mass = array("fibre_mass_ratio", 1), distance = array("distance_mm", 1);
+             mass = array("fibre_mass_ratio", 1), distance = array("distance_mm", 1), on_fabric = array("on_fabric", 1);
   for (const auto& element : field.element) {
     vtkIdType ids[4] = {};
     for (std::size_t k = 0; k < element.node.size(); ++k) ids[k] = element.node[k];
     grid->InsertNextCell(element.node.size() == 4 ? VTK_QUAD : VTK_TRIANGLE,
                          static_cast<vtkIdType>(element.node.size()), ids);
-    const FibreState& s = element.state;
+    const FibreState s = state_or_nothing(element);
     number->InsertNextValue(element.number);
     warp->InsertNextTuple(s.warp.data());
     weft->InsertNextTuple(s.weft.data());
@@ -164,9 +185,11 @@ void write_fibre_vtu(const FibreField& field, const std::filesystem::path& file)
     volume->InsertNextValue(s.fibre_volume_ratio);
     mass->InsertNextValue(s.fibre_mass_ratio);
     distance->InsertNextValue(element.distance);
+    on_fabric->InsertNextValue(element.far ? 0.0 : 1.0);
   }
   grid->GetCellData()->AddArray(number);
-  for (const auto& data : {warp, weft, angle, thickness, volume, mass, distance}) grid->GetCellData()->AddArray(data);
+  for (const auto& data : {warp, weft, angle, thickness, volume, mass, distance, on_fabric})
+    grid->GetCellData()->AddArray(data);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   write_vtk_whole(file, *writer);

@@ -15,16 +15,27 @@ struct FibreText {
 };
 
 // *DISTRIBUTION of both directions and of the thickness, with *ORIENTATION FIBRE_WARP and FIBRE_WEFT: local 1 is the
-// yarn, local 2 lies in the shell's plane at right angles to it.
+// yarn, local 2 lies in the shell's plane at right angles to it. Lengths in the unit of the structure's file; shells
+// far from the fabric are left to the distributions' first line. For Abaqus: CalculiX reads distributions for solids
+// only.
 [[nodiscard]] FibreText orientation_abaqus(const FibreField& field, const std::string& written_by);
+// What CalculiX reads: per group of shells with the same directions (within `group_angle`, deg, of one another) and
+// thickness (within 1 %) an element set, the *ORIENTATIONs WARP_n and WEFT_n, local 1 along the yarn, and a
+// *SHELL SECTION of the material FABRIC with WARP_n. With an angle of 0 every shell that differs is a group of its own.
+[[nodiscard]] FibreText orientation_calculix(const FibreField& field, double group_angle,
+                                             const std::string& written_by);
 // /DRAPE/1 of the warp ply and /DRAPE/2 of the weft ply: thinning t/t0 and the yarn's angle from the flat warp (weft)
 // direction projected into the shell, counter-clockwise about its normal.
 [[nodiscard]] FibreText drape_openradioss(const FibreField& field, const std::string& written_by);
 // One row per element: element,x_mm,y_mm,z_mm,warp_x..z,weft_x..z,shear_angle_deg,thickness_mm,fibre_volume_ratio,
-// fibre_mass_ratio,distance_mm
+// fibre_mass_ratio,distance_mm,on_fabric (0: far from it, and the other values zero)
 [[nodiscard]] FibreText fibre_csv(const FibreField& field);
 // Shells with the same as cell data. Throws FileError.
 void write_fibre_vtu(const FibreField& field, const std::filesystem::path& file);
+
+// Lines that begin a file: who wrote it, of what, in which unit, and what it does not carry.
+[[nodiscard]] std::string fibre_header(const std::string& mark, const FibreField& field, const std::string& written_by,
+                                       const std::vector<std::string>& not_carried);
 
 // Angle (rad) in the plane of `element` from the projection of `reference` to `direction`, and whether the projection
 // is at least sin 5 deg long.

@@ -6,11 +6,11 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSignedCharArray.h>
-#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -137,10 +137,9 @@ struct FrameWriter::Grid {
     friction = add_array<vtkSignedCharArray>(points, "friction_state", 1, nodes);
     contact_pressure = add_array<vtkDoubleArray>(elements, "contact_pressure_MPa", 1, count);
     contact_share = add_array<vtkDoubleArray>(elements, "contact_share", 1, count);
-    vtkNew<vtkStringArray> names;
-    names->SetName("tool_names");
-    for (const std::string& name : tools) names->InsertNextValue(name);
-    grid->GetFieldData()->AddArray(names);
+    for (std::size_t k = 0; k < tools.size(); ++k)  // names as arrays, for meshio reads no texts
+      add_array<vtkIntArray>(*grid->GetFieldData(), ("tool_" + tools[k]).c_str(), 1, 1)
+          ->SetValue(0, static_cast<int>(k) + 1);
   }
 
   // Values on yarns and on cells stand one behind the other, as the lines and polygons do.

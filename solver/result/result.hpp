@@ -83,7 +83,7 @@ struct SolveStatistics {
 //   contact_pressure_MPa, contact_share   cells: mean pressure of its nodes, share of them that touch a tool; lines:
 //   the
 //                                         same of their two nodes
-//   tool_names   field data: contact_tool 1 is the first of them
+//   tool_NAME    field data, one per tool: its number in contact_tool
 class FrameWriter {
 public:
   // Keeps a reference to the mesh. Frames of an earlier run in `directory` are removed, but for the first, of the times

@@ -1,7 +1,9 @@
 set(CHAIN_SOURCES
   support/run_command.cpp
   chain/plan_test.cpp
+  chain/read_back_test.cpp
   chain/bias_extension_test.cpp
+  chain/calculix_fibres_test.cpp
   chain/dic_loop_test.cpp
   chain/examples_test.cpp
   chain/export_test.cpp

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <string>
 
 #include "mesher/material/identify/raw_table.hpp"
+#include "mesher/outline/dxf_outline.hpp"
 #include "mesher/outline/loops.hpp"
 #include "post/dic_settings/settings.hpp"
 #include "post/measurement/measurement.hpp"
@@ -25,6 +27,18 @@ void outline(std::string_view bytes) {
     auto loops = read_outline_csv(file.path().string(), complaints);
     static_cast<void>(sound_loops(std::move(loops), "outline.csv", complaints));
   });
+}
+
+// In inches, so that the tolerance is scaled; and with a layer chosen.
+void dxf(std::string_view bytes) {
+  const ScratchFile file("outline.dxf", bytes);
+  for (const DxfAsked& asked : {DxfAsked{}, DxfAsked{"inch", {"cut"}}})
+    answered([&] {
+      std::vector<std::string> complaints;
+      auto loops = read_dxf_outline(file.path().string(), asked, complaints).loops;
+      for (const auto& loop : sound_loops(std::move(loops), "outline.dxf", complaints))
+        hold(std::isfinite(signed_area(loop.point)));
+    });
 }
 
 // To the questions that a file may leave open: none, those of a known format, those of any table.
@@ -56,7 +70,7 @@ void matrix(std::string_view bytes) {
 }  // namespace
 
 std::vector<Target> table_targets() {
-  return {{"table", table}, {"outline", outline}, {"measurement", measurement}, {"matrix", matrix}};
+  return {{"table", table}, {"outline", outline}, {"dxf", dxf}, {"measurement", measurement}, {"matrix", matrix}};
 }
 
 }  // namespace weaveform::fuzz

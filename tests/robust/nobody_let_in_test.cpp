@@ -108,7 +108,7 @@ TEST_F(NobodyLetIn, DamagedMeshesFramesAndIndicesAreErrors) {
       {"d/mesh.vtu", "<PointData", "NumberOfComponents=\"2\"", "NumberOfComponents=\"2000000000\"", "solve d"},
       {"d/mesh.vtu", "<CellData", "type=\"Float64\"", "type=\"Floot64\"", "solve d"},
       {"d/mesh.vtu", "<Cells", "type=\"Int64\"", "type=\"UInt8\"", "solve d"},
-      {"d/mesh.vtu", "<AppendedData", "_", "_\x7f\x7f\x7f\x7f\x7f\x7f\x7f\x7f", "solve d"},
+      {"d/mesh.vtu", "<Points", "AQAAAA", "/////w", "solve d"},  // the number of compressed blocks
       {"d/result.pvd", "<DataSet", "file=\"frames", "file=\"../../frames", "post d"},
       {"d/result.pvd", "<DataSet", "timestep=\"0", "timestep=\"nan", "post d"},
   };

@@ -233,6 +233,30 @@ std::string complaint_about(const std::string& text) {
   return complaints.empty() ? "" : complaints.front();
 }
 
+// A file that is no outline is one error, however long it is.
+TEST(OutlineFile, AFileOfAnotherKindIsOneError) {
+  const fs::path file = fs::temp_directory_path() / "weaveform_no_outline.csv";
+  const auto complaints_about = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    std::vector<std::string> complaints;
+    (void)read_outline_csv(file.string(), complaints);
+    return complaints;
+  };
+  std::string words, lonely, bytes(5000, '\x01');
+  for (int k = 0; k < 3000; ++k) {
+    words += "0\nSECTION\n\n";
+    lonely += "1,2\n\n";
+  }
+  const auto no_points = complaints_about(words);
+  ASSERT_EQ(no_points.size(), 1U);
+  EXPECT_NE(no_points[0].find(".csv:2: 'SECTION' is not a point"), std::string::npos) << no_points[0];
+  EXPECT_NE(no_points[0].find("; 5998 other lines"), std::string::npos) << no_points[0];
+  const auto open = complaints_about(lonely);
+  ASSERT_EQ(open.size(), 1U);
+  EXPECT_NE(open[0].find("; 2999 other loops"), std::string::npos) << open[0];
+  EXPECT_LT(complaints_about("x,y\n" + bytes).at(0).size(), 300U);
+}
+
 TEST(OutlineFile, TroubleIsNamedWithItsLine) {
   EXPECT_EQ(complaint_about("0,0\n10,0\n10,10\n0,0\n"), "");
   const std::string open = complaint_about("x;y\n0;0\n10;0\n10;10\n0;10\n");

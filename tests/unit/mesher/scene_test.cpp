@@ -36,6 +36,8 @@ Scene unusual_scene() {
                  .phase = {0.25, -1.0 / 3},
                  .corners = {},
                  .outline = "",
+                 .outline_unit = "",
+                 .outline_layers = {},
                  .arm_width = {},
                  .on_roll = {},
                  .fit = "none",
@@ -103,11 +105,21 @@ TEST(Scene, EchoReadsBackToTheSameBits) {
   }
 }
 
+TEST(Scene, EchoHoldsADrawingsUnitAndLayers) {
+  const std::string text =
+      "[fabric]\nmaterial = \"twintex-pw\"\n[blank]\nshape = \"file\"\noutline = \"/plate.dxf\"\noutline_unit = "
+      "\"inch\"\n"
+      "outline_layers = [\"CUT\", \"0\"]\n";
+  const Scene scene = read_scene_text(text, "s.toml");
+  EXPECT_EQ(scene.blank.outline_layers, (std::vector<std::string>{"CUT", "0"}));
+  EXPECT_EQ(read_scene_text(scene_to_toml(scene), "s.toml"), scene) << scene_to_toml(scene);
+}
+
 TEST(Scene, EchoHoldsEveryKeyWithAValue) {
   const std::string echo = scene_to_toml(unusual_scene());
   for (const auto& key : scene_keys()) {
     if (key.table.rfind("tools", 0) == 0) continue;  // a tool echoes the keys of its own shape
-    if (key.name == "corners" || key.name == "outline" || key.name == "on_roll") continue;  // of other blanks
+    if (key.name == "corners" || key.name.starts_with("outline") || key.name == "on_roll") continue;  // of other blanks
     if (key.table == "drape") continue;  // not together with a frame; drape_test.cpp
     EXPECT_NE(echo.find("\n" + key.name + " = "), std::string::npos) << key.name;
   }

@@ -3,6 +3,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/card_test.cpp
   unit/mesher/chart_test.cpp
   unit/mesher/drape_test.cpp
+  unit/mesher/dxf_outline_test.cpp
   unit/mesher/expected_size_test.cpp
   unit/mesher/export_columns_test.cpp
   unit/mesher/geo_script_test.cpp
@@ -12,6 +13,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/identify_shear_test.cpp
   unit/mesher/identify_tension_test.cpp
   unit/mesher/import_test.cpp
+  unit/mesher/inp_reader_test.cpp
   unit/mesher/law_test.cpp
   unit/mesher/outline_zoo_test.cpp
   unit/mesher/plain_text_test.cpp

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -151,9 +152,115 @@ TEST(MapOnto, ReportsTheDistance) {
   EXPECT_GT(near.greatest_distance, 1.0);
   EXPECT_LT(near.greatest_distance, 4.5);
   EXPECT_LE(near.mean_distance, near.greatest_distance);
+  EXPECT_EQ(near.far, 0);
   for (auto& x : mesh.position) x[2] += 1000.0;
-  const FibreField far = map_onto(draped(4).field, mesh);
+  Onto onto;
+  onto.within = 1100.0;
+  const FibreField far = map_onto(draped(4).field, mesh, onto);
   for (const auto& element : far.element) EXPECT_GT(element.distance, 900.0);
+}
+
+// Half a shell (60 mm) or cell is the distance that is allowed when none is told.
+TEST(MapOnto, ShellsFarFromTheFabricGetNoDirection) {
+  ForeignMesh mesh = structure();
+  for (const std::size_t n : {0U, 1U, 5U, 6U}) mesh.position[n][2] += 100.0;  // the corners of the first shell
+  const FibreField field = map_onto(draped(4).field, mesh);
+  EXPECT_NEAR(field.within, 30.0, 3.0);
+  EXPECT_TRUE(field.element.front().far);
+  EXPECT_FALSE(field.element.back().far);
+  EXPECT_EQ(field.far, std::count_if(field.element.begin(), field.element.end(), [](const auto& e) { return e.far; }));
+  EXPECT_GT(field.greatest_distance, field.within);
+  EXPECT_LT(field.mean_distance, field.within) << "of the shells on the fabric alone";
+  for (const std::string& text : {orientation_abaqus(field, "test").text, orientation_calculix(field, 1.0, "test").text,
+                                  drape_openradioss(field, "test").text})
+    EXPECT_NE(text.find(std::to_string(field.far) + " shells lie farther than"), std::string::npos);
+  EXPECT_EQ(orientation_abaqus(field, "test").text.find("\n100, "), std::string::npos) << "the far shell's number";
+  const std::string csv = fibre_csv(field).text;
+  const std::size_t row = csv.find("\n100,") + 1;
+  const std::string first = csv.substr(row, csv.find('\n', row) - row);
+  EXPECT_NE(first.find(",0,0,0,0,0,0,0,0,0,0,"), std::string::npos) << first;
+  EXPECT_EQ(first.back(), '0');
+  for (auto& x : mesh.position) x[2] += 1000.0;
+  EXPECT_THROW((void)map_onto(draped(4).field, mesh), InputError) << "none is near";
+}
+
+// The same part in metres, turned and moved away: with unit, rotation and position the same directions in its own axes.
+TEST(MapOnto, AnswersInTheAxesOfAPartThatWasPlaced) {
+  const FibreField fabric = draped(4).field;
+  const FibreField straight = map_onto(fabric, structure());
+  ForeignMesh moved = structure();
+  const Eigen::AngleAxisd turn(0.7, Vector3d(1.0, 2.0, 3.0).normalized());
+  const Vector3d origin(300.0, -50.0, 20.0);
+  for (auto& x : moved.position) {
+    const Vector3d own = turn.inverse() * (Vector3d(x[0], x[1], x[2]) - origin) * 1e-3;
+    x = {own.x(), own.y(), own.z()};
+  }
+  Onto onto;
+  onto.axis = {1.0, 2.0, 3.0};
+  onto.angle = 0.7 * degrees;
+  onto.position = {300.0, -50.0, 20.0};
+  try {
+    (void)map_onto(fabric, moved, onto);
+    FAIL() << "metres are asked about";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("in metres? Give --unit m"), std::string::npos) << error.what();
+  }
+  onto.unit = "m";
+  const FibreField field = map_onto(fabric, moved, onto);
+  ASSERT_EQ(field.element.size(), straight.element.size());
+  for (std::size_t k = 0; k < field.element.size(); ++k) {
+    const StateElement &a = field.element[k], &b = straight.element[k];
+    EXPECT_NEAR(a.distance, b.distance, 1e-6);
+    EXPECT_NEAR(a.state.shear_angle, b.state.shear_angle, 1e-6);
+    const Vector3d world = turn * Vector3d(a.state.warp[0], a.state.warp[1], a.state.warp[2]);
+    EXPECT_NEAR(world.dot(Vector3d(b.state.warp[0], b.state.warp[1], b.state.warp[2])), 1.0, 1e-6);
+  }
+  // thicknesses for a model in metres
+  const std::string text = orientation_calculix(field, 1.0, "test").text;
+  const std::size_t section = text.find("\n*SHELL SECTION") + 1;
+  EXPECT_NEAR(std::stod(text.substr(text.find('\n', section))), 1e-3 * field.element[0].state.thickness, 2e-6);
+}
+
+// Groups cover every shell once, within the angle; an angle of 0 makes a group of each shell on a sphere.
+TEST(FibreFiles, CalculixGroupsHoldTheirShellsDirections) {
+  const FibreField field = draped(8).field;
+  std::vector<std::size_t> groups;
+  for (const double angle : {0.0, 2.0, 20.0}) {
+    std::istringstream in(orientation_calculix(field, angle, "test").text);
+    std::map<long, std::string> group_of;
+    std::map<std::string, std::array<Vector3d, 2>> axes;
+    std::string block;
+    for (std::string line; std::getline(in, line);) {
+      if (line.rfind("**", 0) == 0) continue;
+      if (line[0] == '*') {
+        block = line;
+        continue;
+      }
+      std::vector<double> value;
+      std::istringstream fields(line);
+      for (std::string word; std::getline(fields, word, ',');) {
+        EXPECT_LE(word.find_last_not_of(' ') - word.find_first_not_of(' ') + 1, 20U) << "CalculiX cuts longer numbers";
+        value.push_back(std::stod(word));
+      }
+      for (const double number : value) {
+        if (block.rfind("*ELSET, ELSET=FIBRE_", 0) != 0) break;
+        EXPECT_TRUE(group_of.emplace(std::lround(number), block.substr(20)).second) << number;
+      }
+      if (block.rfind("*ORIENTATION, NAME=WARP_", 0) == 0)
+        axes[block.substr(24, block.find(',', 24) - 24)] = {Vector3d(value[0], value[1], value[2]),
+                                                            Vector3d(value[3], value[4], value[5])};
+    }
+    ASSERT_EQ(group_of.size(), field.element.size());
+    for (const auto& element : field.element) {
+      const auto& [a, b] = axes.at(group_of.at(element.number));
+      const Vector3d warp(element.state.warp[0], element.state.warp[1], element.state.warp[2]);
+      EXPECT_LE(std::acos(std::min(1.0, a.dot(warp))) * degrees, std::max(angle, 1e-5));
+      EXPECT_NEAR(a.dot(b), 0.0, 1e-12);
+    }
+    groups.push_back(axes.size());
+  }
+  EXPECT_EQ(groups[0], field.element.size()) << "no two shells lie alike";
+  EXPECT_LT(groups[2], groups[0]);
 }
 
 TEST(MapOnto, RefusesElementsAcrossTheFabric) {
@@ -255,7 +362,7 @@ TEST(FibreFiles, CsvHasARowPerElement) {
   std::string line;
   std::getline(in, line);
   const auto columns = std::count(line.begin(), line.end(), ',');
-  EXPECT_EQ(columns, 14);
+  EXPECT_EQ(columns, 15);
   for (const auto& element : field.element) {
     ASSERT_TRUE(std::getline(in, line));
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns);

@@ -1,0 +1,142 @@
+// Fibre directions in the hands of CalculiX: an orthotropic strip under tension stretches as its warp's angle says.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/run_command.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using weaveform::test::read_text;
+using weaveform::test::run_command;
+using weaveform::test::TemporaryFolder;
+using weaveform::test::tiny_scene;
+using weaveform::test::write_text;
+
+// mm, MPa, N
+constexpr double length = 60.0, width = 16.0, force = 100.0, e1 = 50000.0, e2 = 10000.0, poisson = 0.3, shear = 4000.0;
+constexpr int along = 6, across = 4;
+
+// Shells of 10 x 4 mm about the origin, whole (S4) or as two triangles (S3).
+struct Strip {
+  std::string type;
+  [[nodiscard]] static int node(int i, int j) { return j * (along + 1) + i + 1; }
+  [[nodiscard]] std::string mesh() const {
+    std::ostringstream out;
+    out << "*NODE, NSET=ALL\n";
+    for (int j = 0; j <= across; ++j)
+      for (int i = 0; i <= along; ++i)
+        out << node(i, j) << ", " << length * (1.0 * i / along - 0.5) << ", " << width * (1.0 * j / across - 0.5)
+            << ", 0.\n";
+    out << "*ELEMENT, TYPE=" << type << ", ELSET=STRIP\n";
+    int number = 0;
+    for (int j = 0; j < across; ++j)
+      for (int i = 0; i < along; ++i) {
+        const int a = node(i, j), b = node(i + 1, j), c = node(i + 1, j + 1), d = node(i, j + 1);
+        std::vector<std::vector<int>> shells = {{a, b, c, d}};
+        if (type == "S3") shells = {{a, b, c}, {a, c, d}};
+        for (const auto& shell : shells) {
+          out << ++number;
+          for (const int n : shell) out << ", " << n;
+          out << "\n";
+        }
+      }
+    return out.str();
+  }
+  // Held so that it may stretch and shear as it will, pulled evenly at both ends.
+  [[nodiscard]] static std::string load() {
+    std::ostringstream out;
+    out << "*NSET, NSET=END\n"
+        << node(along, 0) << "\n*STEP\n*STATIC\n*BOUNDARY\n"
+        << node(0, 0) << ", 1, 2\n"
+        << node(along, 0) << ", 2\nALL, 3\n*CLOAD\n";
+    for (int j = 0; j <= across; ++j) {
+      const double share = force / across * (j == 0 || j == across ? 0.5 : 1.0);
+      out << node(along, j) << ", 1, " << share << "\n" << node(0, j) << ", 1, " << -share << "\n";
+    }
+    out << "*NODE PRINT, NSET=END\nU\n*END STEP\n";
+    return out.str();
+  }
+};
+
+const std::string material =
+    "*MATERIAL, NAME=FABRIC\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n50000., 10000., 10000., .3, .3, .3, 4000., "
+    "4000.,\n4000.\n";
+
+class CalculixFibres : public testing::Test {
+protected:
+  void SetUp() override {
+    if (run("command -v ccx").exit_code != 0) GTEST_SKIP() << "ccx (calculix-ccx) is not installed";
+    write_text(tiny_scene(), file("tiny.toml"));
+  }
+  [[nodiscard]] weaveform::test::CommandResult run(const std::string& command) const {
+    return run_command(command, folder_.path());
+  }
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
+  // mm; how far the strip's end moves on a fabric whose warp lies at `angle` to it.
+  [[nodiscard]] double stretch(const std::string& type, double angle, const std::string& more = "") const {
+    write_text(Strip{type}.mesh(), file("strip.inp"));
+    const std::string scene =
+        "weaveform run tiny.toml --output flat --quiet --set grip.top.travel=0.001 "
+        "--set blank.size=[120,240] --set blank.fit=none --set blank.yarn_angle=" +
+        std::to_string(angle);
+    EXPECT_EQ(run(scene).exit_code, 0);
+    const auto exported =
+        run("weaveform export flat --onto strip.inp --format orientation-calculix --output fibres.inp --force" + more);
+    EXPECT_EQ(exported.exit_code, 0) << exported.err;
+    write_text("*INCLUDE, INPUT=strip.inp\n" + material + "*INCLUDE, INPUT=fibres.inp\n" + Strip::load(),
+               file("job.inp"));
+    const auto solved = run("ccx job");
+    EXPECT_NE(solved.out.find("Job finished"), std::string::npos) << solved.out;
+    EXPECT_EQ(solved.out.find("*WARNING"), std::string::npos) << solved.out;
+    std::istringstream in(read_text(file("job.dat")));
+    std::string line, last;
+    while (std::getline(in, line))
+      if (line.find_first_not_of(' ') != std::string::npos) last = line;
+    std::istringstream fields(last);
+    int node = 0;
+    double u = 0.0;
+    fields >> node >> u;
+    EXPECT_EQ(node, Strip::node(along, 0)) << last;
+    return u;
+  }
+  TemporaryFolder folder_;
+};
+
+// 1/E(a) = c^4/E1 + (1/G - 2 nu/E1) s^2 c^2 + s^4/E2 (Jones, "Mechanics of Composite Materials", eq. 2.97).
+double closed_form(double angle, double thickness) {
+  const double c = std::cos(angle * std::numbers::pi / 180.0), s = std::sin(angle * std::numbers::pi / 180.0);
+  const double compliance =
+      c * c * c * c / e1 + (1.0 / shear - 2.0 * poisson / e1) * s * s * c * c + s * s * s * s / e2;
+  return force / (width * thickness) * length * compliance;
+}
+
+double thickness_in(const std::string& text) {
+  const std::size_t section = text.find("\n*SHELL SECTION") + 1;
+  return std::stod(text.substr(text.find('\n', section)));
+}
+
+TEST_F(CalculixFibres, WarpAndWeftDifferAsTheClosedFormSays) {
+  std::map<double, double> found;
+  for (const auto& [type, angle] : {std::pair{"S4", 0.0}, std::pair{"S4", 90.0}, std::pair{"S4", 30.0},
+                                    std::pair{"S4R", -30.0}, std::pair{"S3", 30.0}}) {
+    const double u = stretch(type, angle);
+    const double thickness = thickness_in(read_text(file("fibres.inp")));
+    const double exact = closed_form(angle, thickness);
+    // the fabric is stretched by 4e-6 only; six digits are printed
+    EXPECT_NEAR(u, exact, 2e-4 * exact) << type << " " << angle;
+    found[angle] = u;
+  }
+  EXPECT_NEAR(found[90.0] / found[0.0], e1 / e2, 1e-3 * e1 / e2);
+}
+
+}  // namespace
