@@ -77,7 +77,7 @@ std::vector<std::string> tools_out_of_reach(const Scene& scene, const Mesh& mesh
       std::any_of(scene.grip.begin(), scene.grip.end(), travels))
     return {};
   const Cloud cloud = pick_nodes(mesh);
-  const std::vector<Tool> tools = make_tools(scene, mesh.thickness);
+  const std::vector<Tool> tools = make_tools(scene, mesh);
   std::vector<std::string> lines;
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const ToolSpec& spec = scene.tools[t];
