@@ -73,6 +73,18 @@ void check_proportion(const TriangleList& list, const ToolSpec& spec, const Scen
                     where, spec.file, extent, blank));
 }
 
+// A point, seen from the tool, on the side where the fabric is: the flat blank's centre, or far back along the way in
+// which a blank that starts draped over this tool is projected on it.
+Vector side_of_the_blank(const ToolSpec& spec, const Scene& scene) {
+  Vector point = scene.blank.position;
+  for (int c = 0; c < 3; ++c) point[c] -= spec.position ? (*spec.position)[c] : 0.0;
+  if (!scene.drape || scene.drape->tool != spec.name) return point;
+  constexpr double far = 1e6;  // mm
+  const Vector way = unit(scene.drape->projection);
+  for (int c = 0; c < 3; ++c) point[c] -= far * way[c];
+  return point;
+}
+
 TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, double cell_edge, const std::string& where) {
   const auto file = tool_path(spec.file, scene.file);
   const bool sense_is_ours = surface_kind(file) != SurfaceKind::stl;
@@ -80,9 +92,7 @@ TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, double cell_
   TriangleList list = read_surface(file, {millimetres_of(spec.unit), tolerance, spec.name}).list;
   if (spec.unit.empty()) check_proportion(list, spec, scene, where);
   if (sense_is_ours) {
-    Vector outside = scene.blank.position;  // seen from the tool
-    for (int c = 0; c < 3; ++c) outside[c] -= spec.position ? (*spec.position)[c] : 0.0;
-    list = turned_alike(list, outside);
+    list = turned_alike(list, side_of_the_blank(spec, scene));
   }
   if (spec.flip) list = turned_over(std::move(list));
   if (!sense_is_ours && turned_inward(list) && !spec.flip)
