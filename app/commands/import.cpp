@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ImportArguments {
-  std::string file, scene, output;
+  std::string file, scene, part, output;
   std::vector<std::string> overrides;
   bool quiet = false;
 };
@@ -44,17 +44,18 @@ void run_import(const ImportArguments& arguments) {
   ImportedMesh imported;
   Model model;
   if (arguments.scene.empty()) {
+    if (!arguments.part.empty()) throw InputError("--part goes with --scene: it names the fabric in a file of others");
     imported = import_own(file);
     model.scene = read_scene_text(imported.scene, arguments.file, arguments.overrides);
     model.card = load_card(model.scene.fabric.material, model.scene.file);
   } else {
     model.scene = read_scene(arguments.scene, arguments.overrides);
     model.card = load_card(model.scene.fabric.material, model.scene.file);
-    imported = import_foreign(file, model.scene, model.card);
+    imported = import_foreign(file, model.scene, model.card, arguments.part);
   }
   model.mesh = std::move(imported.mesh);
   OutputClaim claim = result_claim(directory, model.scene);
-  claim.inputs.push_back(arguments.file);
+  for (const auto& each : file.files) claim.inputs.push_back(each);
   for (const auto& tool : model.scene.tools) claim.names.push_back(tool.name + ".stl");
   const OutputFolder folder(claim);
   log_warning(folder.trouble());
@@ -70,7 +71,7 @@ void run_import(const ImportArguments& arguments) {
 
 void add_import_command(CLI::App& program) {
   auto* command = program.add_subcommand(
-      "import", "A mesh of lines and shells (.msh 4.1, Abaqus .inp) as DIR/mesh.vtu and DIR/scene.toml");
+      "import", "A mesh of lines and shells (Gmsh .msh, Abaqus .inp) as DIR/mesh.vtu and DIR/scene.toml");
   const auto arguments = std::make_shared<ImportArguments>();
   add_trust_argument(*command);
   command->add_option("FILE", arguments->file, "Mesh file, .msh or .inp")->required();
@@ -79,6 +80,8 @@ void add_import_command(CLI::App& program) {
                    "Scene with fabric, model, grips (by the names of node sets), tools and analysis; not needed for "
                    "files that 'weaveform export' wrote")
       ->type_name("SCENE");
+  command->add_option("--part", arguments->part, "The fabric's part or instance, where several have lines and shells")
+      ->type_name("NAME");
   command->add_option("-o,--output", arguments->output, "Folder for 'weaveform solve'")->required()->type_name("DIR");
   command->add_option("--set", arguments->overrides, "Override a value of the scene; repeatable")
       ->type_name("KEY=VALUE")

@@ -26,11 +26,13 @@ struct ImportedMesh {
 // From geometry: a flat blank of straight yarns at right angles and even spacing (to 1e-5 of it), cut by any outline.
 // Lines are yarns, shells the cells. Their two directions are the families: the warp is what the element set `warp`
 // says, else the direction nearest to the scene's yarn_angle. Node sets named like the scene's grips hold it. Yarns per
-// line from the area beside it and the card's interval; masses, jaws, soft and tied ends as for our own mesh. Shell
-// sets named like a tool of shape "triangles" are left out (tool_surface). Throws InputError with what does not fit.
-[[nodiscard]] ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const Card& card);
+// line from the area beside it and the card's interval; masses, jaws, soft and tied ends as for our own mesh. Shells
+// named like a tool of shape "triangles" are left out (tool_surface). `part` names the fabric's part or instance where
+// several could be it (choose_fabric.hpp). Throws InputError with what does not fit.
+[[nodiscard]] ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const Card& card,
+                                          const std::string& part = "");
 
-// The shells of the set with a tool's name as STL text, when there is one.
+// The shells with a tool's name (shells_named) as STL text, when there are any.
 [[nodiscard]] std::optional<std::string> tool_surface(const ForeignMesh& file, const std::string& tool);
 
 }  // namespace weaveform

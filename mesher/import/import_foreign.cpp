@@ -10,8 +10,9 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/export/gathered.hpp"
+#include "mesher/import/choose_fabric.hpp"
 #include "mesher/import/import.hpp"
-#include "mesher/import/text_lines.hpp"
+#include "mesher/import/text_words.hpp"
 #include "mesher/lattice/cut_cells.hpp"
 #include "mesher/lattice/free_ends.hpp"
 #include "mesher/lattice/lumping.hpp"
@@ -24,6 +25,8 @@ using Vec2 = std::array<double, 2>;
 
 // Text has fewer digits than the program: places within this part of a spacing are the same.
 constexpr double loose = 1e-5;
+// Of a coordinate: what single precision (24 bits), as some preprocessors keep it, rounds away, twice.
+constexpr double single_precision = 2.4e-7;
 
 struct Recovery {
   const ForeignMesh& file;
@@ -31,35 +34,29 @@ struct Recovery {
   const Card& card;
   Mesh mesh{};
   std::vector<std::string> notes{};
-  std::vector<int> ours{};  // node of the mesh by place in the file; -1: not of the fabric
+  std::vector<int> ours{};     // node of the mesh by place in the file; -1: not of the fabric
+  std::vector<long> theirs{};  // number in the file by node of the mesh
   std::vector<const ForeignElement*> yarn{}, cell{};
+  std::vector<bool> in_warp{};  // per yarn
+  bool warp_named = false;
   std::vector<Vec2> place{};  // mm; along warp and weft, per node of the mesh
   Vec2 warp = {1.0, 0.0};     // unit; in the x-y plane. The weft is 90 deg counter-clockwise from it
 
-  [[noreturn]] void fail(int line, const std::string& what) const {
-    throw InputError(fmt::format("{}{}: {}", file.file, line > 0 ? fmt::format(":{}", line) : "", what));
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(fmt::format("{}: {}", file.file, what)); }
+  [[noreturn]] void fail(const ForeignElement& element, const std::string& what) const {
+    throw InputError(fmt::format("{}: {}", file.where(element), what));
   }
 
-  std::set<long> elements_of(const std::string& name) const {
-    std::set<long> found;
-    for (const auto& set : file.element_sets)
-      if (upper(set.name) == upper(name)) found.insert(set.element.begin(), set.element.end());
-    return found;
-  }
-
-  // Yarns are all lines, unless sets say which; tools' shells are not the fabric's.
-  void choose_elements() {
-    const std::set<long> in_warp = elements_of("warp"), in_weft = elements_of("weft");
-    const bool named = !in_warp.empty() && !in_weft.empty();
-    for (const auto& line : file.lines)
-      if (!named || in_warp.count(line.number) != 0 || in_weft.count(line.number) != 0) yarn.push_back(&line);
-    std::set<long> tools;
+  void take_elements(const std::string& part) {
+    std::vector<std::string> tools;
     for (const auto& tool : scene.tools)
-      if (tool.shape == "triangles") tools.merge(elements_of(tool.name));
-    for (const auto& shell : file.shells)
-      if (tools.count(shell.number) == 0) cell.push_back(&shell);
-    if (yarn.empty()) fail(0, "no yarns: two-node line elements are needed beside the shells");
-    if (cell.empty()) fail(0, "no cells: shells with 3 or 4 nodes are needed beside the lines");
+      if (tool.shape == "triangles") tools.push_back(tool.name);
+    FabricElements chosen = choose_fabric(file, tools, part);
+    yarn = std::move(chosen.yarn);
+    cell = std::move(chosen.cell);
+    in_warp = std::move(chosen.in_warp);
+    warp_named = chosen.warp_named;
+    notes.insert(notes.end(), chosen.notes.begin(), chosen.notes.end());
     ours.assign(file.position.size(), -1);
     for (const auto* list : {&yarn, &cell})
       for (const auto* element : *list)
@@ -68,6 +65,7 @@ struct Recovery {
     for (std::size_t k = 0; k < ours.size(); ++k) {
       if (ours[k] < 0) continue;
       ours[k] = count++;
+      theirs.push_back(file.number[k]);
       mesh.nodes.position.push_back(file.position[k]);
     }
     mesh.nodes.crossing.assign(mesh.nodes.position.size(), {-1, -1});
@@ -80,28 +78,43 @@ struct Recovery {
     return {b[0] - a[0], b[1] - a[1]};
   }
 
-  // Lines lie along two directions at right angles, so exp(4 i angle) is the same for all of them.
-  void find_directions() {
-    double low = std::numeric_limits<double>::max(), high = -low, extent = 0.0;
+  // Out of flatness that is the file's rounding is taken out; more is refused.
+  void flatten() {
+    double low = std::numeric_limits<double>::max(), high = -low, farthest = 0.0, length = 0.0;
     for (const auto& x : mesh.nodes.position) {
       low = std::min(low, x[2]);
       high = std::max(high, x[2]);
-      extent = std::max({extent, std::abs(x[0]), std::abs(x[1])});
+      for (const double c : x) farthest = std::max(farthest, std::abs(c));
     }
-    if (high - low > 1e-9 * extent)
-      fail(0, fmt::format("the blank is not flat: z from {:.6g} to {:.6g} mm", low, high));
-    std::complex<double> quarter = 0.0, marked = 0.0;
-    const std::set<long> in_warp = elements_of("warp");
     for (const auto* line : yarn) {
+      const auto &a = file.position[line->node[0]], &b = file.position[line->node[1]];
+      length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) / static_cast<double>(yarn.size());
+    }
+    const double allowed = loose * length + single_precision * farthest;
+    if (high - low > allowed)
+      fail(
+          fmt::format("the blank is not flat: z from {:.9g} to {:.9g} mm, {:.3g} mm apart where its yarn elements are "
+                      "{:.4g} mm long and {:.2g} mm is taken for rounding; give a flat blank in a plane of constant z",
+                      low, high, high - low, length, allowed));
+    if (!(high > low)) return;
+    const double middle = 0.5 * (low + high);
+    for (auto& x : mesh.nodes.position) x[2] = std::abs(middle) <= allowed ? 0.0 : middle;
+  }
+
+  // Lines lie along two directions at right angles, so exp(4 i angle) is the same for all of them.
+  void find_directions() {
+    std::complex<double> quarter = 0.0, marked = 0.0;
+    for (std::size_t e = 0; e < yarn.size(); ++e) {
+      const ForeignElement* line = yarn[e];
       const Vec2 d = along(*line);
       const double length = std::hypot(d[0], d[1]);
-      if (!(length > 0.0)) fail(line->line, fmt::format("element {} has no length", line->number));
+      if (!(length > 0.0)) fail(*line, fmt::format("element {} has no length", line->number));
       const std::complex<double> unit = std::complex<double>(d[0], d[1]) / length;
       quarter += std::pow(unit, 4) * length;
-      if (in_warp.count(line->number) != 0) marked += std::pow(unit, 2) * length;
+      if (in_warp[e]) marked += std::pow(unit, 2) * length;
     }
     const double asked = (scene.blank.yarn_angle + scene.blank.orientation) * std::numbers::pi / 180.0;
-    const double wanted = in_warp.empty() ? asked : 0.5 * std::arg(marked);
+    const double wanted = !warp_named ? asked : 0.5 * std::arg(marked);
     double angle = 0.25 * std::arg(quarter);
     angle += std::round((wanted - angle) / (0.5 * std::numbers::pi)) * 0.5 * std::numbers::pi;
     // which way along the warp counts as forwards is free: as the scene has it
@@ -128,12 +141,12 @@ struct Recovery {
       const Vec2 d = {place[b][0] - place[a][0], place[b][1] - place[a][1]};
       const std::size_t f = std::abs(d[0]) >= std::abs(d[1]) ? 0 : 1;
       if (std::abs(d[1 - f]) > 1e-3 * std::abs(d[f]))
-        fail(line->line, fmt::format("element {} lies {:.3g} deg off both yarn directions; straight yarns at right "
-                                     "angles are needed",
-                                     line->number, std::atan(std::abs(d[1 - f] / d[f])) * 180.0 / std::numbers::pi));
+        fail(*line, fmt::format("element {} lies {:.3g} deg off both yarn directions; straight yarns at right "
+                                "angles are needed",
+                                line->number, std::atan(std::abs(d[1 - f] / d[f])) * 180.0 / std::numbers::pi));
       if (d[f] < 0.0) std::swap(a, b);
       if (!there.insert({std::min(a, b), std::max(a, b)}).second)
-        fail(line->line, fmt::format("element {} lies on another line", line->number));
+        fail(*line, fmt::format("element {} lies on another line", line->number));
       mesh.yarns.node.push_back({a, b});
       mesh.yarns.family.push_back(f == 0 ? Family::warp : Family::weft);
       mesh.yarns.rest_length.push_back(std::abs(d[f]));
@@ -153,7 +166,7 @@ struct Recovery {
       if (met[mesh.yarns.node[e][0]] == 3 && met[mesh.yarns.node[e][1]] == 3)
         length[static_cast<std::size_t>(mesh.yarns.family[e])].push_back(mesh.yarns.rest_length[e]);
     for (std::size_t f = 0; f < 2; ++f) {
-      if (length[f].empty()) fail(0, "no element joins two crossings of yarns; is this a fabric?");
+      if (length[f].empty()) fail("no element joins two crossings of yarns; is this a fabric?");
       auto middle = length[f].begin() + static_cast<std::ptrdiff_t>(length[f].size() / 2);
       std::nth_element(length[f].begin(), middle, length[f].end());
       mesh.spacing[f] = *middle;
@@ -172,14 +185,15 @@ struct Recovery {
         const double at = (place[n][f] - low[f]) / mesh.spacing[f];
         const double off = std::abs(at - std::round(at));
         if (off > 100.0 * loose)
-          fail(0,
-               fmt::format("the crossing at ({:.6g}, {:.6g}) mm is {:.3g} spacings of {:.6g} mm off the even lattice; "
-                           "evenly spaced yarns are needed",
-                           mesh.nodes.position[n][0], mesh.nodes.position[n][1], off, mesh.spacing[f]));
+          fail(
+              fmt::format("the crossing at ({:.6g}, {:.6g}) mm is {:.3g} spacings of {:.6g} mm off the even lattice; "
+                          "evenly spaced yarns are needed",
+                          mesh.nodes.position[n][0], mesh.nodes.position[n][1], off, mesh.spacing[f]));
         mesh.nodes.crossing[n][f] = static_cast<int>(std::lround(at));
         mesh.lattice_size[f] = std::max(mesh.lattice_size[f], mesh.nodes.crossing[n][f] + 1);
       }
     }
+    refuse_unmerged(met);
     for (std::size_t e = 0; e < mesh.yarns.node.size(); ++e) {
       const auto f = static_cast<std::size_t>(mesh.yarns.family[e]);
       double& rest = mesh.yarns.rest_length[e];
@@ -187,6 +201,17 @@ struct Recovery {
       if (whole && std::abs(rest - mesh.spacing[f]) < 1e-3 * mesh.spacing[f]) rest = mesh.spacing[f];
     }
     for (std::size_t n = 0; n < place.size(); ++n) place[n] = {place[n][0] - low[0], place[n][1] - low[1]};
+  }
+
+  void refuse_unmerged(const std::vector<unsigned>& met) const {
+    std::map<std::array<int, 2>, std::size_t> at;
+    for (std::size_t n = 0; n < place.size(); ++n) {
+      if (met[n] != 3) continue;
+      const auto [other, fresh] = at.emplace(mesh.nodes.crossing[n], n);
+      if (!fresh)
+        fail(fmt::format("nodes {} and {} lie at one crossing, ({:.6g}, {:.6g}) mm; merge coincident nodes",
+                         theirs[other->second], theirs[n], mesh.nodes.position[n][0], mesh.nodes.position[n][1]));
+    }
   }
 
   // Over the whole lattice instead of one element: rounding of the text is then shared by all.
@@ -273,8 +298,7 @@ struct Recovery {
         for (std::size_t f = 0; f < 2; ++f) {
           corner[f] = static_cast<int>(std::floor(centre[f] / mesh.spacing[f]));
           if (corner[f] < -1 || corner[f] >= mesh.lattice_size[f])
-            fail(shell->line,
-                 fmt::format("shell {} lies more than a spacing from the yarns' crossings", shell->number));
+            fail(*shell, fmt::format("shell {} lies more than a spacing from the yarns' crossings", shell->number));
         }
       }
       cells.node.insert(cells.node.end(), node.begin(), node.end());
@@ -283,7 +307,7 @@ struct Recovery {
       cells.area.push_back(area);
       cells.lattice.push_back(corner);
     }
-    if (cells.size() == 0) fail(0, "no shell is wide enough for a cell");
+    if (cells.size() == 0) fail("no shell is wide enough for a cell");
     for (const auto& [centre, area] : slivers) cells.area[nearest_cell(centre)] += area;
     if (!slivers.empty())
       notes.push_back(
@@ -314,7 +338,7 @@ struct Recovery {
       const auto f = static_cast<std::size_t>(mesh.yarns.family[e]);
       int& start = starts[f][mesh.yarns.node[e][0]];
       if (start >= 0 || ++stops[mesh.yarns.node[e][1]][f] > 1)
-        fail(yarn[e]->line, fmt::format("a yarn branches at element {}", yarn[e]->number));
+        fail(*yarn[e], fmt::format("a yarn branches at element {}", yarn[e]->number));
       start = static_cast<int>(e);
     }
     int count = 0;
@@ -360,7 +384,7 @@ struct Recovery {
       mesh.yarns.yarns[e] = area[chain[e]] / (of.interval * length[chain[e]]);
       mesh.yarns.section[e] = mesh.yarns.yarns[e] * of.section;
       if (!(mesh.yarns.section[e] > 0.0))
-        fail(yarn[e]->line, fmt::format("no cell lies beside the yarn of element {}", yarn[e]->number));
+        fail(*yarn[e], fmt::format("no cell lies beside the yarn of element {}", yarn[e]->number));
     }
   }
 
@@ -370,39 +394,75 @@ struct Recovery {
       for (const int n : ends) ++elements[n];
     for (std::size_t n = 0; n < place.size(); ++n)
       if (elements[n] == 0)
-        fail(0, fmt::format("the node at ({:.6g}, {:.6g}) mm lies on no yarn; shells may only join yarns' nodes",
-                            mesh.nodes.position[n][0], mesh.nodes.position[n][1]));
+        fail(fmt::format(
+            "the node at ({:.6g}, {:.6g}) mm lies on no yarn; shells may only join yarns' nodes (merge coincident "
+            "nodes, and give a tool's shells a set with its name)",
+            mesh.nodes.position[n][0], mesh.nodes.position[n][1]));
   }
 
-  void keep_sets() {
+  // Nodes of the fabric in the sets of that name. Sets of several parts may share it; those of other parts are empty.
+  std::vector<int> grip_nodes(const std::string& name, std::vector<int>& taken, bool& known) const {
+    std::vector<int> held;
+    for (const auto& set : file.node_sets) {
+      if (upper(set.name) != upper(name) && upper(set.name) != upper(foreign::plain_name(name))) continue;
+      known = true;
+      const std::vector<int> all = members(set);
+      if (!held.empty() && !all.empty() && held != all)
+        throw InputError(
+            fmt::format("{}: grip '{}': two node sets of that name hold different nodes of the fabric, one "
+                        "of its part and one of the assembly; rename one of them",
+                        file.file, name));
+      if (!all.empty()) held = all;
+    }
+    held.erase(std::remove_if(held.begin(), held.end(), [&](int n) { return taken[n] != 0; }), held.end());
+    for (const int n : held) taken[n] = 1;  // the first grip wins where two meet
+    return held;
+  }
+
+  void keep_grips() {
     std::vector<std::string> missing;
     std::vector<int> taken(place.size(), 0);
     for (const auto& grip : scene.grip) {
-      const auto set = std::find_if(file.node_sets.begin(), file.node_sets.end(), [&](const NodeSet& s) {
-        return upper(s.name) == upper(grip.name) || upper(s.name) == upper(foreign::plain_name(grip.name));
-      });
-      if (set == file.node_sets.end()) {
-        missing.push_back(fmt::format("{}: grip '{}': the mesh has no node set of that name", file.file, grip.name));
-        continue;
-      }
-      mesh.sets.push_back({grip.name, members(*set, &taken)});  // the first grip wins where two meet
-      if (mesh.sets.back().node.empty())
-        missing.push_back(fmt::format("{}: grip '{}': its node set holds no node of the fabric", file.file, grip.name));
+      bool known = false;
+      mesh.sets.push_back({grip.name, grip_nodes(grip.name, taken, known)});
+      if (!mesh.sets.back().node.empty()) continue;
+      missing.push_back(fmt::format(
+          "{}: grip '{}': {}", file.file, grip.name,
+          known ? "its node set holds no node of the fabric" : "the mesh has no node set of that name" + known_sets()));
     }
     if (!missing.empty()) throw InputError(missing);
+  }
+
+  std::string known_sets() const {
+    std::string names;
+    int count = 0;
+    for (const auto& set : file.node_sets) {
+      if (members(set).empty() || is_internal(set)) continue;
+      if (++count > 8) return "; its sets: " + names + ", ...";
+      names += (names.empty() ? "'" : ", '") + set.name + "'";
+    }
+    return names.empty() ? "" : "; its sets: " + names;
+  }
+
+  bool is_internal(const NodeSet& set) const {
+    return std::find(file.internal_sets.begin(), file.internal_sets.end(), upper(set.name)) != file.internal_sets.end();
+  }
+
+  void keep_sets() {
+    keep_grips();
     for (const auto& set : file.node_sets) {
       const std::string name = upper(set.name);
       const auto same = [&](const NodeSet& s) {
         return upper(s.name) == name || upper(foreign::plain_name(s.name)) == name;
       };
       if (name == "WARP" || name == "WEFT" || name == "CELLS" || name == "ALL_NODES" || name == "OUTLINE" ||
-          std::any_of(mesh.sets.begin(), mesh.sets.end(), same))
+          is_internal(set) || std::any_of(mesh.sets.begin(), mesh.sets.end(), same))
         continue;
-      const std::vector<int> node = members(set, nullptr);
-      if (node.empty())
-        notes.push_back(fmt::format("node set '{}' holds no node of the fabric; left out", set.name));
-      else
+      const std::vector<int> node = members(set);
+      if (!node.empty())
         mesh.sets.push_back({set.name, node});
+      else if (file.instance.size() == 1)  // else it is another part's
+        notes.push_back(fmt::format("node set '{}' holds no node of the fabric; left out", set.name));
     }
     std::vector<int> elements(place.size(), 0);
     for (const auto& ends : mesh.yarns.node)
@@ -413,13 +473,10 @@ struct Recovery {
     mesh.sets.push_back(outline);
   }
 
-  std::vector<int> members(const NodeSet& set, std::vector<int>* taken) const {
+  std::vector<int> members(const NodeSet& set) const {
     std::vector<int> node;
-    for (const int n : set.node) {
-      if (ours[n] < 0 || (taken != nullptr && (*taken)[ours[n]] != 0)) continue;
-      node.push_back(ours[n]);
-      if (taken != nullptr) (*taken)[ours[n]] = 1;
-    }
+    for (const int n : set.node)
+      if (ours[n] >= 0) node.push_back(ours[n]);
     std::sort(node.begin(), node.end());
     return node;
   }
@@ -435,7 +492,7 @@ struct Recovery {
 
 }  // namespace
 
-ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const Card& card) {
+ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const Card& card, const std::string& part) {
   if (scene.frame)
     throw InputError(
         fmt::format("{}: a shear frame ([frame]) is built around the blank by 'weaveform mesh' only", scene.file));
@@ -443,7 +500,9 @@ ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const C
     throw InputError(
         fmt::format("{}: a draped start ([drape]) is made by 'weaveform mesh' only; import a flat blank", scene.file));
   Recovery work{file, scene, card};
-  work.choose_elements();
+  work.notes = file.notes;
+  work.take_elements(part);
+  work.flatten();
   work.find_directions();
   work.find_places();
   work.lay_yarns();
@@ -466,22 +525,18 @@ ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const C
 }
 
 std::optional<std::string> tool_surface(const ForeignMesh& file, const std::string& tool) {
-  std::set<long> members;
-  for (const auto& set : file.element_sets)
-    if (upper(set.name) == upper(tool)) members.insert(set.element.begin(), set.element.end());
   std::string text = fmt::format("solid {}\n", foreign::plain_name(tool));
-  bool any = false;
-  for (const auto& shell : file.shells) {
-    if (members.count(shell.number) == 0) continue;
+  const std::vector<int> shells = shells_named(file, tool);
+  for (const int each : shells) {
+    const ForeignElement& shell = file.shells[each];
     for (std::size_t k = 1; k + 1 < shell.node.size(); ++k) {
-      any = true;
       text += "facet normal 0 0 0\nouter loop\n";
       for (const int n : {shell.node[0], shell.node[k], shell.node[k + 1]})
         text += fmt::format("vertex {} {} {}\n", file.position[n][0], file.position[n][1], file.position[n][2]);
       text += "endloop\nendfacet\n";
     }
   }
-  if (!any) return std::nullopt;
+  if (shells.empty()) return std::nullopt;
   return text + fmt::format("endsolid {}\n", foreign::plain_name(tool));
 }
 

@@ -1,249 +1,272 @@
-// Abaqus input: keyword lines begin with '*', comments with '**'; data lines are separated by commas.
+// An Abaqus deck put together: every instance of a part in its place, numbers made places, sets resolved.
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "mesher/base/error.hpp"
 #include "mesher/import/foreign_mesh.hpp"
-#include "mesher/import/text_lines.hpp"
+#include "mesher/import/inp_deck.hpp"
+#include "mesher/import/inp_lines.hpp"
+#include "mesher/import/text_words.hpp"
 
 namespace weaveform {
 
 namespace {
 
-const std::string weave_mark = "** weaveform ";
+constexpr long most_members = 10'000'000;  // of all sets together
 
-struct InpReader {
-  TextLines in;
-  ForeignMesh mesh;
-  std::map<long, int> place;  // of a node by its number
-  std::set<long> element_numbers;
-  std::map<std::string, std::set<int>> node_sets;  // by upper-case name
-  std::map<std::string, std::vector<long>> element_sets;
-  std::vector<std::string> node_set_order, element_set_order;  // as first written
-  long generated = 0;                                          // members of sets that were not written out
-  std::map<std::string, std::string> parameter;                // of the keyword at hand, upper-case names
-
-  explicit InpReader(const std::filesystem::path& file) : in(file) { mesh.file = in.name(); }
-
-  std::set<int>& node_set(const std::string& name) {
-    if (node_sets.count(upper(name)) == 0) node_set_order.push_back(name);
-    return node_sets[upper(name)];
+struct Elements {
+  std::set<int> line, shell;
+  void add(const Elements& other) {
+    line.insert(other.line.begin(), other.line.end());
+    shell.insert(other.shell.begin(), other.shell.end());
   }
-  std::vector<long>& element_set(const std::string& name) {
-    if (element_sets.count(upper(name)) == 0) element_set_order.push_back(name);
-    return element_sets[upper(name)];
+};
+
+// What an element number means: a place in lines or in shells, or an element that is neither.
+struct Slot {
+  InpShape shape = InpShape::other;
+  int place = 0;
+};
+
+// Names and numbers of one instance, or of the assembly.
+struct Scope {
+  std::map<long, int> node;
+  std::map<long, Slot> element;
+  std::map<std::string, std::set<int>> node_set;  // by name in capitals
+  std::map<std::string, Elements> element_set;
+};
+
+class Assembler {
+public:
+  Assembler(const InpDeck& deck, const InpLines& lines) : deck_(deck), lines_(lines) {
+    mesh_.files = lines.files();
+    mesh_.file = mesh_.files.front();
+    mesh_.weave = lines.weave();
   }
 
-  // Takes the next data line into `line`; false at a keyword or the end. Comments in between are passed over.
-  bool data(std::string& line) {
-    while (!in.at_end()) {
-      const std::string& ahead = in.peek();
-      if (ahead.compare(0, 2, "**") == 0) {
-        comment(in.next());
-        continue;
+  ForeignMesh put_together() {
+    mesh_.instance.clear();
+    if (deck_.instance.empty())
+      // parts without an assembly stand where they were drawn
+      for (const InpBlock& part : deck_.part) add_instance({part.name, part.name, {}, {}, {}, 0.0, {}, {}}, &part);
+    for (const InpInstance& instance : deck_.instance) add_instance(instance, part_of(instance));
+    note_idle_parts();
+    // the assembly's own nodes (reference points) and, in a file without parts, all there is
+    current_ = &assembly_;
+    if (mesh_.instance.empty() || !deck_.assembly.element.empty()) mesh_.instance.push_back({});
+    add_mesh(deck_.assembly, {});
+    add_sets(deck_.assembly);
+    note_left_out();
+    if (mesh_.position.empty() || (mesh_.lines.empty() && mesh_.shells.empty()))
+      throw InputError(fmt::format("{}: no nodes or no lines and shells in the file{}", mesh_.file,
+                                   deck_.left_out.empty() ? "" : "; its elements are " + listed(deck_.left_out)));
+    return std::move(mesh_);
+  }
+
+private:
+  const InpBlock* part_of(const InpInstance& instance) const {
+    for (const InpBlock& part : deck_.part)
+      if (upper(part.name) == upper(instance.part)) return &part;
+    lines_.fail(instance.at, fmt::format("*INSTANCE, NAME={}: no part is named '{}'", instance.name, instance.part));
+  }
+
+  void add_instance(const InpInstance& instance, const InpBlock* part) {
+    if (!scope_.emplace(upper(instance.name), Scope{}).second)
+      lines_.fail(instance.at, fmt::format("instance '{}' is there twice", instance.name));
+    current_ = &scope_[upper(instance.name)];
+    mesh_.instance.push_back({instance.name, instance.part});
+    for (const InpBlock* block : {part, &instance.own}) {
+      add_mesh(*block, instance);
+      add_sets(*block);
+    }
+  }
+
+  static std::array<double, 3> placed(const std::array<double, 3>& x, const InpInstance& instance) {
+    using Eigen::Vector3d;
+    if (instance.angle == 0.0)
+      return {x[0] + instance.translation[0], x[1] + instance.translation[1], x[2] + instance.translation[2]};
+    const Vector3d from(instance.axis_from.data()), to(instance.axis_to.data());
+    const Eigen::AngleAxisd turn(instance.angle * std::numbers::pi / 180.0, (to - from).normalized());
+    const Vector3d moved = Vector3d(x.data()) + Vector3d(instance.translation.data());
+    const Vector3d turned = from + turn * (moved - from);
+    return {turned.x(), turned.y(), turned.z()};
+  }
+
+  void add_mesh(const InpBlock& block, const InpInstance& instance) {
+    for (const InpNode& node : block.node) {
+      if (!current_->node.emplace(node.number, static_cast<int>(mesh_.position.size())).second)
+        lines_.fail(node.at, fmt::format("node {} is there twice", node.number));
+      mesh_.number.push_back(node.number);
+      mesh_.position.push_back(placed(node.position, instance));
+    }
+    for (const InpElement& element : block.element) add_element(element);
+  }
+
+  void add_element(const InpElement& from) {
+    ForeignElement element{from.number, from.at.line, {}, from.at.file, static_cast<int>(mesh_.instance.size()) - 1};
+    for (const long number : from.node) {
+      const auto at = current_->node.find(number);
+      if (at == current_->node.end())
+        lines_.fail(from.at, fmt::format("element {} names node {}, which is not there", from.number, number));
+      element.node.push_back(at->second);
+    }
+    Slot slot{from.shape, 0};
+    if (from.shape != InpShape::other) {
+      auto& list = from.shape == InpShape::line ? mesh_.lines : mesh_.shells;
+      slot.place = static_cast<int>(list.size());
+      list.push_back(std::move(element));
+    }
+    if (!current_->element.emplace(from.number, slot).second)
+      lines_.fail(from.at, fmt::format("element {} is there twice", from.number));
+  }
+
+  // The names that a member of a set means: those of its instance, else those around the set.
+  Scope& scope_of(const std::string& instance, const InpSource& at) {
+    if (instance.empty()) return *current_;
+    const auto found = scope_.find(upper(instance));
+    if (found == scope_.end()) lines_.fail(at, fmt::format("no instance is named '{}'", instance));
+    return found->second;
+  }
+
+  void count(std::size_t members, const InpSource& at) {
+    members_ += static_cast<long>(members);
+    if (members_ > most_members) lines_.fail(at, "more members of sets than any mesh has");
+  }
+
+  // Calls add(what stands under the number) for each number that is there; one that was written out must be.
+  template <class Value, class Add>
+  void each_numbered(const std::map<long, Value>& numbered, const InpMembers& member, const std::string& complaint,
+                     Add add) {
+    bool any = false;
+    for (auto at = numbered.lower_bound(member.first); at != numbered.end() && at->first <= member.last; ++at) {
+      count(1, member.at);
+      // as unsigned numbers, for the difference of two long ones may be no long
+      const auto way = static_cast<unsigned long>(at->first) - static_cast<unsigned long>(member.first);
+      if (way % static_cast<unsigned long>(member.step) != 0) continue;
+      add(at->second);
+      any = true;
+    }
+    if (!any)
+      lines_.fail(member.at, fmt::format("{} {}, which is not there", complaint,
+                                         member.generated ? fmt::format("{} to {}", member.first, member.last)
+                                                          : fmt::format("{}", member.first)));
+  }
+
+  std::set<int> members_of(const InpSet& set) {
+    std::set<int> nodes;
+    for (const InpMembers& member : set.member) {
+      Scope& scope = scope_of(member.instance.empty() ? set.instance : member.instance, member.at);
+      if (member.name.empty()) {
+        each_numbered(scope.node, member, fmt::format("set '{}' names node", set.name),
+                      [&](int node) { nodes.insert(node); });
+      } else if (member.elements_of_set) {
+        const auto found = scope.element_set.find(upper(member.name));
+        if (found == scope.element_set.end())
+          lines_.fail(member.at, fmt::format("no element set is named '{}'", member.name));
+        count(found->second.line.size() + found->second.shell.size(), member.at);
+        for (const int e : found->second.line) nodes.insert(mesh_.lines[e].node.begin(), mesh_.lines[e].node.end());
+        for (const int e : found->second.shell) nodes.insert(mesh_.shells[e].node.begin(), mesh_.shells[e].node.end());
+      } else {
+        const auto found = scope.node_set.find(upper(member.name));
+        if (found == scope.node_set.end())
+          lines_.fail(member.at, fmt::format("no node set is named '{}'", member.name));
+        count(found->second.size(), member.at);
+        nodes.insert(found->second.begin(), found->second.end());
       }
-      if (!ahead.empty() && ahead[0] == '*') return false;
-      line = in.next();
-      if (!trimmed(line).empty()) return true;
     }
-    return false;
-  }
-  void comment(const std::string& line) {
-    if (line.compare(0, weave_mark.size(), weave_mark) == 0)
-      mesh.weave.push_back({in.number(), line.substr(weave_mark.size())});
+    return nodes;
   }
 
-  std::string keyword(const std::string& line) {
-    parameter.clear();
-    auto fields = fields_of(line, ',');
-    for (std::size_t k = 1; k < fields.size(); ++k) {
-      const std::size_t equal = fields[k].find('=');
-      const std::string value =
-          equal == std::string_view::npos ? "" : std::string(trimmed(fields[k].substr(equal + 1)));
-      parameter[upper(trimmed(fields[k].substr(0, equal)))] =
-          value.size() > 1 && value.front() == '"' && value.back() == '"' ? value.substr(1, value.size() - 2) : value;
-    }
-    return upper(fields[0]);
-  }
-
-  void read_nodes() {
-    std::set<int>* set = parameter.count("NSET") != 0 ? &node_set(parameter["NSET"]) : nullptr;
-    if (parameter.count("SYSTEM") != 0 && upper(parameter["SYSTEM"]) != "R")
-      in.fail("*NODE, SYSTEM: only rectangular coordinates are read");
-    for (std::string line; data(line);) {
-      auto f = fields_of(line, ',');
-      if (!f.empty() && f.back().empty()) f.pop_back();
-      if (f.size() != 4)
-        in.fail(fmt::format("a node's number and three coordinates expected, {} fields found", f.size()));
-      const long number = in.whole(f[0], "node number");
-      if (!place.emplace(number, static_cast<int>(mesh.position.size())).second)
-        in.fail(fmt::format("node {} is there twice", number));
-      mesh.number.push_back(number);
-      mesh.position.push_back({in.real(f[1], "x"), in.real(f[2], "y"), in.real(f[3], "z")});
-      if (set != nullptr) set->insert(place[number]);
-    }
-  }
-
-  void read_elements() {
-    static const std::map<std::string, std::size_t> size_of = {{"T3D2", 2}, {"B31", 2},  {"M3D3", 3}, {"S3", 3},
-                                                               {"S3R", 3},  {"R3D3", 3}, {"M3D4", 4}, {"M3D4R", 4},
-                                                               {"S4", 4},   {"S4R", 4},  {"R3D4", 4}, {"MASS", 1}};
-    const std::string type = upper(parameter["TYPE"]);
-    const auto size = size_of.find(type);
-    if (size == size_of.end())
-      in.fail(
-          fmt::format("element type '{}' is not read; known are T3D2, B31, M3D3, M3D4, M3D4R, S3, S3R, S4, S4R, "
-                      "R3D3, R3D4",
-                      type));
-    const std::string set = parameter["ELSET"];
-    for (std::string line; data(line);) {
-      auto f = fields_of(line, ',');
-      if (!f.empty() && f.back().empty()) f.pop_back();
-      if (f.size() != size->second + 1)
-        in.fail(fmt::format("an element of type {} has a number and {} nodes, {} fields found", type, size->second,
-                            f.size()));
-      ForeignElement element{in.whole(f[0], "element number"), in.number(), {}};
-      if (!element_numbers.insert(element.number).second)
-        in.fail(fmt::format("element {} is there twice", element.number));
-      for (std::size_t k = 1; k < f.size(); ++k) {
-        const long number = in.whole(f[k], "node number");
-        const auto at = place.find(number);
-        if (at == place.end())
-          in.fail(fmt::format("element {} names node {}, which is not there (nodes must come first)", element.number,
-                              number));
-        element.node.push_back(at->second);
-      }
-      if (!set.empty()) element_set(set).push_back(element.number);
-      if (size->second == 2)
-        mesh.lines.push_back(std::move(element));
-      else if (size->second > 2)
-        mesh.shells.push_back(std::move(element));
-    }
-  }
-
-  // Numbers of one data line of a set, or the names of other sets given to `named`.
-  template <class Add, class Named>
-  void read_set(Add add, Named named) {
-    const bool generate = parameter.count("GENERATE") != 0;
-    for (std::string line; data(line);) {
-      auto f = fields_of(line, ',');
-      if (!f.empty() && f.back().empty()) f.pop_back();
-      if (generate) {
-        if (f.size() < 2 || f.size() > 3) in.fail("first, last and increment expected");
-        const long first = in.whole(f[0], "first"), last = in.whole(f[1], "last");
-        const long step = f.size() == 3 ? in.whole(f[2], "increment") : 1;
-        if (step < 1 || last < first) in.fail("an increment above 0 and a last number not below the first expected");
-        constexpr long greatest = 1'000'000'000'000, most = 10'000'000;  // numbers; members of all sets together
-        if (first < -greatest || last > greatest || step > greatest) in.fail("numbers beyond those of any mesh");
-        generated += (last - first) / step + 1;
-        if (generated > most) in.fail("more members than any mesh has");
-        for (long k = first; k <= last; k += step) add(k);
-        continue;
-      }
-      for (const auto& field : f) {
-        if (!field.empty() && (field[0] == '+' || field[0] == '-' || (field[0] >= '0' && field[0] <= '9')))
-          add(in.whole(field, "number"));
-        else if (!field.empty())
-          named(std::string(field));
-      }
-    }
-  }
-
-  void read_node_set() {
-    if (parameter["NSET"].empty()) in.fail("*NSET without a name (NSET=...)");
-    const std::string name = parameter["NSET"];
-    (void)node_set(name);
-    if (parameter.count("ELSET") != 0) in.fail("*NSET, ELSET=...: nodes of an element set are not read; list them");
-    read_set(
-        [&](long number) {
-          const auto at = place.find(number);
-          if (at == place.end()) in.fail(fmt::format("set '{}' names node {}, which is not there", name, number));
-          node_set(name).insert(at->second);
-        },
-        [&](const std::string& other) {
-          if (node_sets.count(upper(other)) == 0) in.fail(fmt::format("no node set is named '{}'", other));
-          const std::set<int> members = node_sets[upper(other)];
-          node_set(name).insert(members.begin(), members.end());
+  Elements elements_of(const InpSet& set) {
+    Elements elements;
+    for (const InpMembers& member : set.member) {
+      Scope& scope = scope_of(member.instance.empty() ? set.instance : member.instance, member.at);
+      if (member.name.empty()) {
+        each_numbered(scope.element, member, fmt::format("set '{}' names element", set.name), [&](const Slot& slot) {
+          if (slot.shape != InpShape::other)
+            (slot.shape == InpShape::line ? elements.line : elements.shell).insert(slot.place);
         });
-  }
-
-  void read_element_set() {
-    if (parameter["ELSET"].empty()) in.fail("*ELSET without a name (ELSET=...)");
-    const std::string name = parameter["ELSET"];
-    (void)element_set(name);
-    read_set(
-        [&](long number) {
-          if (element_numbers.count(number) == 0)
-            in.fail(fmt::format("set '{}' names element {}, which is not there", name, number));
-          element_set(name).push_back(number);
-        },
-        [&](const std::string& other) {
-          if (element_sets.count(upper(other)) == 0) in.fail(fmt::format("no element set is named '{}'", other));
-          const std::vector<long> members = element_sets[upper(other)];
-          auto& all = element_set(name);
-          all.insert(all.end(), members.begin(), members.end());
-        });
-  }
-
-  void check_instance() {
-    std::string line;
-    if (data(line)) in.fail("*INSTANCE with a translation or rotation is not read; write the assembly flat");
-  }
-
-  ForeignMesh read() {
-    while (!in.at_end()) {
-      const std::string line = in.next();
-      if (line.compare(0, 2, "**") == 0) {
-        comment(line);
-        continue;
+      } else {
+        const auto found = scope.element_set.find(upper(member.name));
+        if (found == scope.element_set.end())
+          lines_.fail(member.at, fmt::format("no element set is named '{}'", member.name));
+        count(found->second.line.size() + found->second.shell.size(), member.at);
+        elements.add(found->second);
       }
-      if (trimmed(line).empty()) continue;
-      if (line[0] != '*') {
-        if (mesh.position.empty() && mesh.lines.empty() && parameter.empty() && node_set_order.empty() &&
-            in.number() == 1)
-          in.fail("a keyword (*...) expected; is this an Abaqus input file?");
-        continue;  // data of a block that is passed over
-      }
-      const std::string word = keyword(line);
-      if (word == "*NODE")
-        read_nodes();
-      else if (word == "*ELEMENT")
-        read_elements();
-      else if (word == "*NSET")
-        read_node_set();
-      else if (word == "*ELSET")
-        read_element_set();
-      else if (word == "*INSTANCE")
-        check_instance();
-      else if (word == "*INCLUDE")
-        in.fail("*INCLUDE is not read; paste the file in");
     }
-    if (mesh.position.empty() || (mesh.lines.empty() && mesh.shells.empty()))
-      in.fail("no nodes or no elements in the file");
-    for (const auto& name : node_set_order) {
-      const auto& nodes = node_sets[upper(name)];
-      mesh.node_sets.push_back({name, {nodes.begin(), nodes.end()}});
-    }
-    for (const auto& name : element_set_order) mesh.element_sets.push_back({name, element_sets[upper(name)]});
-    return std::move(mesh);
+    return elements;
   }
+
+  // Sets of one name in one scope are one set.
+  void add_sets(const InpBlock& block) {
+    std::vector<std::string> order;
+    for (const InpSet& set : block.element_set) {
+      const std::string name = upper(set.name);
+      const bool seen = current_->element_set.count(name) != 0;
+      current_->element_set[name].add(elements_of(set));
+      if (!seen) order.push_back(set.name);
+    }
+    for (const auto& name : order) {
+      const Elements& all = current_->element_set[upper(name)];
+      mesh_.element_sets.push_back({name, {all.line.begin(), all.line.end()}, {all.shell.begin(), all.shell.end()}});
+    }
+    order.clear();
+    for (const InpSet& set : block.node_set) {
+      const std::string name = upper(set.name);
+      const bool seen = current_->node_set.count(name) != 0;
+      const std::set<int> nodes = members_of(set);
+      current_->node_set[name].insert(nodes.begin(), nodes.end());
+      if (!seen) order.push_back(set.name);
+      if (set.internal) mesh_.internal_sets.push_back(name);
+    }
+    for (const auto& name : order) {
+      const std::set<int>& all = current_->node_set[upper(name)];
+      mesh_.node_sets.push_back({name, {all.begin(), all.end()}});
+    }
+  }
+
+  void note_idle_parts() {
+    if (deck_.instance.empty()) return;
+    for (const InpBlock& part : deck_.part)
+      if (std::none_of(deck_.instance.begin(), deck_.instance.end(),
+                       [&](const InpInstance& instance) { return upper(instance.part) == upper(part.name); }))
+        mesh_.notes.push_back(fmt::format("part '{}' has no instance in the assembly; left out", part.name));
+  }
+
+  static std::string listed(const std::map<std::string, int>& types) {
+    std::string text;
+    for (const auto& [type, number] : types) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, type);
+    return text;
+  }
+
+  void note_left_out() {
+    if (!deck_.left_out.empty())
+      mesh_.notes.push_back("elements that are neither lines nor shells are left out: " + listed(deck_.left_out));
+    if (!deck_.second_order.empty())
+      mesh_.notes.push_back("of elements of second order the corners are taken: " + listed(deck_.second_order));
+  }
+
+  const InpDeck& deck_;
+  const InpLines& lines_;
+  ForeignMesh mesh_;
+  std::map<std::string, Scope> scope_;  // by the instance's name in capitals
+  Scope assembly_;
+  Scope* current_ = nullptr;
+  long members_ = 0;
 };
 
 }  // namespace
 
 ForeignMesh read_inp(const std::filesystem::path& file) {
-  return InpReader(file).read();
-}
-
-ForeignMesh read_foreign_mesh(const std::filesystem::path& file) {
-  if (file.extension() == ".msh") return read_msh(file);
-  if (file.extension() == ".inp") return read_inp(file);
-  throw InputError(
-      fmt::format("{}: the ending '{}' is no mesh known here; give a .msh (4.1, ASCII) or .inp (Abaqus) file",
-                  file.string(), file.extension().string()));
+  InpLines lines(file);
+  const InpDeck deck = read_deck(lines);
+  return Assembler(deck, lines).put_together();
 }
 
 }  // namespace weaveform

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -219,6 +220,8 @@ TEST(ImportForeign, SaysWhatDoesNotFit) {
   EXPECT_TRUE(says(complaint(other, model.scene), "no cells"));
   other = file;
   other.lines.push_back(other.lines.front());
+  for (auto& set : other.element_sets)
+    if (set.name == "WARP") set.line.push_back(static_cast<int>(other.lines.size()) - 1);
   EXPECT_TRUE(says(complaint(other, model.scene), "lies on another line"));
   Scene scene = model.scene;
   scene.grip[0].name = "foot";
@@ -276,40 +279,101 @@ INSTANTIATE_TEST_SUITE_P(
     Msh, MalformedFile,
     testing::Values(
         Malformed{"NotMsh", ".msh", "hello\n", 1, "section"},
-        Malformed{"OldVersion", ".msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", 2, "4.1"},
-        Malformed{"Binary", ".msh", "$MeshFormat\n4.1 1 8\n$EndMeshFormat\n", 2, "binary"},
+        Malformed{"VersionBetween", ".msh", "$MeshFormat\n4 0 8\n$EndMeshFormat\n", 2, "2.2 and 4.1"},
+        Malformed{"VersionOne", ".msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n", 1, "version 1"},
         Malformed{"NoFormat", ".msh", "$Nodes\n", 1, "$MeshFormat"},
         Malformed{"CutShort", ".msh", msh + "$Nodes\n1 3 1 3\n2 1 0 3\n1\n", 7, "too early"},
         Malformed{"WordForNumber", ".msh", msh + "$Nodes\n1 1 1 1\n2 1 0 1\n1\n0 zero 0\n$EndNodes\n", 8, "'zero'"},
         Malformed{"NotFinite", ".msh", msh + "$Nodes\n1 1 1 1\n2 1 0 1\n1\n0 nan 0\n$EndNodes\n", 8, "finite"},
         Malformed{"NodeTwice", ".msh", msh + "$Nodes\n1 2 1 2\n2 1 0 2\n1\n1\n0 0 0\n1 0 0\n$EndNodes\n", 10, "twice"},
-        Malformed{"SecondOrder", ".msh", msh + nodes + "$Elements\n1 1 1 1\n2 1 9 1\n", 16, "type 9"},
+        Malformed{"SecondOrder", ".msh", msh + nodes + "$Elements\n1 1 1 1\n2 1 21 1\n", 16, "type 21"},
         Malformed{"MissingNode", ".msh", msh + nodes + "$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 7\n$EndElements\n", 17,
                   "node 7"},
         Malformed{"TooFewNodes", ".msh", msh + nodes + "$Elements\n1 1 1 1\n2 1 2 1\n1 1 2\n$EndElements\n", 17,
                   "expected"},
         Malformed{"WrongCount", ".msh", msh + nodes + "$Elements\n1 2 1 2\n2 1 2 1\n1 1 2 3\n$EndElements\n", 17,
                   "announced"},
-        Malformed{"SectionWithoutEnd", ".msh", msh + nodes + "$Weaveform\nweave 1\n", 14, "no end"}),
+        Malformed{"SectionWithoutEnd", ".msh", msh + nodes + "$Weaveform\nweave 1\n", 15, "(line 14) has no end"}),
     [](const auto& instance) { return instance.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Inp, MalformedFile,
     testing::Values(Malformed{"NotInp", ".inp", "hello\n", 1, "keyword"},
-                    Malformed{"Empty", ".inp", "*HEADING\n", 1, "no nodes"},
-                    Malformed{"ThreeFields", ".inp", "*NODE\n1, 0, 0\n", 2, "three coordinates"},
+                    Malformed{"OneField", ".inp", "*NODE\n1\n", 2, "its coordinates"},
                     Malformed{"WordForNumber", ".inp", "*NODE\n1, 0, x, 0\n", 2, "'x'"},
                     Malformed{"NodeTwice", ".inp", inp + "3, 1, 1, 0\n", 5, "twice"},
-                    Malformed{"UnknownType", ".inp", inp + "*ELEMENT, TYPE=C3D8\n", 5, "C3D8"},
+                    Malformed{"UnknownType", ".inp", inp + "*ELEMENT, TYPE=CAX4\n", 5, "CAX4"},
                     Malformed{"MissingNode", ".inp", inp + "*ELEMENT, TYPE=T3D2\n1, 1, 9\n", 6, "node 9"},
                     Malformed{"WrongNumberOfNodes", ".inp", inp + "*ELEMENT, TYPE=M3D4\n1, 1, 2, 3\n", 6, "4 nodes"},
                     Malformed{"ElementTwice", ".inp", inp + "*ELEMENT, TYPE=T3D2\n1, 1, 2\n1, 2, 3\n", 7, "twice"},
                     Malformed{"SetOfNothing", ".inp", inp + "*NSET, NSET=a\nb\n", 6, "'b'"},
                     Malformed{"SetMissingNode", ".inp", inp + "*NSET, NSET=a\n1, 8\n", 6, "node 8"},
                     Malformed{"Generate", ".inp", inp + "*NSET, NSET=a, GENERATE\n3, 1, 1\n", 6, "not below"},
-                    Malformed{"Include", ".inp", inp + "*INCLUDE, INPUT=more.inp\n", 5, "*INCLUDE"},
-                    Malformed{"MovedInstance", ".inp", inp + "*INSTANCE, NAME=a, PART=b\n0, 0, 1\n", 6, "*INSTANCE"}),
+                    Malformed{"InstanceOfNothing", ".inp", inp + "*INSTANCE, NAME=a, PART=b\n0, 0, 1\n", 5,
+                              "*INSTANCE"}),
     [](const auto& instance) { return instance.param.name; });
+
+// Bytes of a binary file.
+template <class... Value>
+std::string bytes(Value... value) {
+  std::string text;
+  (text.append(reinterpret_cast<const char*>(&value), sizeof value), ...);
+  return text;
+}
+std::string turned(std::string text) {
+  std::reverse(text.begin(), text.end());
+  return text;
+}
+
+// A square and its edge in a group, the edge in a second group too: in every version and encoding the same mesh.
+TEST(MshFile, VersionsAndEncodingsReadTheSame) {
+  const std::string names = "$PhysicalNames\n3\n1 1 \"edge\"\n1 2 \"side\"\n2 3 \"skin\"\n$EndPhysicalNames\n";
+  const std::string text_2 = "$MeshFormat\r\n2.2 0 8\r\n$EndMeshFormat\r\n" + names +
+                             "$Nodes\n4\n10 0 0 0\n11 1 0 0\n12 1 1 0\n13 0 1 0.5\n$EndNodes\n$Elements\n3\n"
+                             "1 1 2 1 1 10 11\n1 1 2 2 1 10 11\n2 3 2 3 1 10 11 12 13\n$EndElements\n";
+  const std::string binary_2 = "$MeshFormat\n2.2 1 8\n" + bytes(1) + "\n$EndMeshFormat\n" + names + "$Nodes\n4\n" +
+                               bytes(10) + bytes(0.0, 0.0, 0.0) + bytes(11) + bytes(1.0, 0.0, 0.0) + bytes(12) +
+                               bytes(1.0, 1.0, 0.0) + bytes(13) + bytes(0.0, 1.0, 0.5) + "\n$EndNodes\n$Elements\n3\n" +
+                               bytes(1, 2, 2, 1, 1, 1, 10, 11, 1, 2, 1, 10, 11) +
+                               bytes(3, 1, 2, 2, 3, 1, 10, 11, 12, 13) + "\n$EndElements\n";
+  using Size = std::uint64_t;
+  const auto four = [&](bool swap) {
+    const auto order = [&](auto... value) { return swap ? (turned(bytes(value)) + ...) : (bytes(value) + ...); };
+    return "$MeshFormat\n4.1 1 8\n" + order(1) + "\n$EndMeshFormat\n" + names + "$Entities\n" +
+           order(Size{0}, Size{1}, Size{1}, Size{0}) + order(1, 0., 0., 0., 1., 0., 0., Size{2}, 1, 2, Size{2}, 1, -2) +
+           order(1, 0., 0., 0., 1., 1., 0., Size{1}, 3, Size{1}, 1) + "\n$EndEntities\n$Nodes\n" +
+           order(Size{1}, Size{4}, Size{10}, Size{13}) + order(2, 1, 0, Size{4}) +
+           order(Size{10}, Size{11}, Size{12}, Size{13}) + order(0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.5) +
+           "\n$EndNodes\n$Elements\n" + order(Size{2}, Size{2}, Size{1}, Size{2}) +
+           order(1, 1, 1, Size{1}, Size{1}, Size{10}, Size{11}) +
+           order(2, 1, 3, Size{1}, Size{2}, Size{10}, Size{11}, Size{12}, Size{13}) + "\n$EndElements\n";
+  };
+  for (const std::string& text : {text_2, binary_2, four(false), four(true)}) {
+    const ForeignMesh mesh = read_text_as(text, ".msh");
+    EXPECT_EQ(mesh.number, (std::vector<long>{10, 11, 12, 13}));
+    EXPECT_EQ(mesh.position[3], (std::array<double, 3>{0.0, 1.0, 0.5}));
+    ASSERT_EQ(mesh.lines.size(), 1U) << "an element of two groups is one element";
+    ASSERT_EQ(mesh.shells.size(), 1U);
+    EXPECT_EQ(mesh.shells[0].node, (std::vector<int>{0, 1, 2, 3}));
+    ASSERT_EQ(mesh.element_sets.size(), 3U);
+    EXPECT_EQ(mesh.element_sets[0].name, "edge");
+    EXPECT_EQ(mesh.element_sets[1].name, "side");
+    EXPECT_EQ(mesh.element_sets[1].line, std::vector<int>{0});
+    EXPECT_EQ(shells_named(mesh, "skin"), std::vector<int>{0});
+    for (std::size_t part = 30; part < text.size() - 20; part += 7)
+      EXPECT_THROW((void)read_text_as(text.substr(0, part), ".msh"), InputError) << part;
+  }
+}
+
+TEST(MshFile, SecondOrderGivesItsCornersAndVolumesAreLeftOut) {
+  const ForeignMesh mesh = read_text_as(
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 .5 0 0\n5 .5 .5 0\n6 0 .5 0\n"
+      "$EndNodes\n$Elements\n3\n1 9 0 1 2 3 4 5 6\n2 8 0 1 2 4\n3 4 0 1 2 3 6\n$EndElements\n",
+      ".MSH");
+  EXPECT_EQ(mesh.shells.at(0).node, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(mesh.lines.at(0).node, (std::vector<int>{0, 1}));
+  EXPECT_EQ(mesh.notes.size(), 2U);
+}
 
 TEST(ForeignFile, OtherEndingsAndMissingFilesAreNamed) {
   EXPECT_THROW((void)read_foreign_mesh("mesh.stl"), InputError);

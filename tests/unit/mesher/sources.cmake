@@ -11,6 +11,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/identify_shear_test.cpp
   unit/mesher/identify_tension_test.cpp
   unit/mesher/import_test.cpp
+  unit/mesher/inp_reader_test.cpp
   unit/mesher/law_test.cpp
   unit/mesher/outline_zoo_test.cpp
   unit/mesher/polynomial_test.cpp

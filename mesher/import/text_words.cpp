@@ -1,4 +1,4 @@
-#include "mesher/import/text_lines.hpp"
+#include "mesher/import/text_words.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <sstream>
-
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
 
 namespace weaveform {
 
@@ -17,43 +13,22 @@ namespace {
 constexpr double greatest_number = 1e30;  // the square of a greater one may be infinite soon
 }
 
-TextLines::TextLines(const std::filesystem::path& file) : name_(file.string()) {
-  std::istringstream in(read_text_file(file));
-  for (std::string line; std::getline(in, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    lines_.push_back(std::move(line));
-  }
+std::string read_whole(std::string_view word, long& value) {
+  const std::string_view digits = !word.empty() && word.front() == '+' ? word.substr(1) : word;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (!digits.empty() && error == std::errc() && end == digits.data() + digits.size()) return {};
+  return fmt::format("'{}' is no whole number", word);
 }
 
-const std::string& TextLines::next() {
-  if (at_end()) fail("the file ends too early; it may have been cut short");
-  return lines_[next_++];
-}
-
-void TextLines::fail_at(int line, const std::string& what) const {
-  throw InputError(fmt::format("{}:{}: {}", name_, line, what));
-}
-
-long TextLines::whole(std::string_view word, const std::string& what) const {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  long value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || error != std::errc() || end != word.data() + word.size())
-    fail(fmt::format("'{}' is no whole number ({})", word, what));
-  return value;
-}
-
-double TextLines::real(std::string_view word, const std::string& what) const {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  std::string text(word);
+std::string read_real(std::string_view word, double& value) {
+  std::string text(!word.empty() && word.front() == '+' ? word.substr(1) : word);
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');  // Fortran's exponent
-  double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    fail(fmt::format("'{}' is no finite number ({})", word, what));
-  if (std::abs(value) > greatest_number) fail(fmt::format("'{}' is beyond all measure ({})", word, what));
-  return value;
+    return fmt::format("'{}' is no finite number", word);
+  if (std::abs(value) > greatest_number) return fmt::format("'{}' is beyond all measure", word);
+  return {};
 }
 
 std::vector<std::string_view> words_of(std::string_view line) {
