@@ -55,7 +55,7 @@ std::string describe_surface(const ToolArguments& arguments, const TriangleRepor
                     : fmt::format("open, {} border{}", report.borders.size(), report.borders.size() == 1 ? "" : "s"));
   if (is_cad_file(arguments.file)) text += fmt::format("; within {:.3g} mm of the true surface", surface.chord_error);
   text += "\n";
-  for (const std::string& word : surface.words) text += fmt::format("warning: the reader says: {}\n", word);
+  for (const std::string& word : surface.words) text += fmt::format("warning: {}\n", word);
   return text + describe_faults(report);
 }
 

@@ -121,6 +121,21 @@ CadWatcher& watcher() {
   return watch;
 }
 
+// Tells that it is done as well, whatever comes of it.
+class Watched {
+public:
+  explicit Watched(const fs::path& file) : file_(file) {}
+  ~Watched() { tell(1.0); }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+  void tell(double fraction) const {
+    if (watcher()) watcher()(file_, fraction);
+  }
+
+private:
+  const fs::path& file_;
+};
+
 }  // namespace
 
 CadFormat cad_format(const fs::path& file) {
@@ -141,8 +156,8 @@ std::string with_cad_file(const fs::path& file, const CadWork& work, const fs::p
               .what = is_script ? "the reader of Gmsh scripts" : fmt::format("the reader of {} files", name_of(format)),
               .remedy = "the file may be damaged: write it again, simpler, in another CAD format, or as STL",
               .writable_folder = writable_folder};
-  const CadWatcher& watch = watcher();
-  if (watch) guard.while_it_works = [&](double fraction) { watch(file, fraction); };
+  const Watched watched(file);
+  if (watcher()) guard.while_it_works = [&](double fraction) { watched.tell(fraction); };
   if (!is_script) {
     require_begins_as(format, file);
     guard.reading_seconds = 10.0 + static_cast<double>(fs::file_size(file)) / reading_bytes_per_second;

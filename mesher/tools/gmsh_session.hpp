@@ -29,8 +29,8 @@ using CadWork = std::function<std::string(CadFormat format, const std::string& p
 [[nodiscard]] std::string with_gmsh(const std::filesystem::path& file, const std::function<std::string()>& work,
                                     const std::filesystem::path& writable_folder = {});
 
-// Who is told, about ten times a second, how much of the reading of a file is done (0 to 1); a setting of the whole
-// process, made once by the program before anything is read. Nobody at first.
+// Who is told, about ten times a second and with 1 at the end, how much of the reading of a file is done (0 to 1); a
+// setting of the whole process, made once by the program before anything is read. May not throw. Nobody at first.
 using CadWatcher = std::function<void(const std::filesystem::path& file, double fraction)>;
 void watch_cad_reading(CadWatcher watch);
 

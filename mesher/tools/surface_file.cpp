@@ -11,7 +11,7 @@
 #include "mesher/base/files.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/geo_script.hpp"
-#include "mesher/tools/inp_surface.hpp"
+#include "mesher/tools/mesh_surface.hpp"
 #include "mesher/tools/stl.hpp"
 
 namespace weaveform {
@@ -57,12 +57,17 @@ KnownSurfaces& known_surfaces() {
   return surfaces;
 }
 
+FileSurface of_mesh(const fs::path& file, const std::string& set) {
+  MeshSurface surface = read_mesh_surface(file, set);
+  return {std::move(surface.list), 0.0, std::move(surface.notes)};
+}
+
 FileSurface as_it_stands(const fs::path& file, const SurfaceRequest& request) {
   switch (surface_kind(file)) {
     case SurfaceKind::stl:
       return {read_stl(file), 0.0, {}};
-    case SurfaceKind::abaqus:
-      return {read_inp_surface(file, request.set), 0.0, {}};
+    case SurfaceKind::mesh:
+      return of_mesh(file, request.set);
     case SurfaceKind::cad:
       break;
   }
@@ -76,7 +81,7 @@ SurfaceKind surface_kind(const fs::path& file) {
   if (is_cad_file(file)) return SurfaceKind::cad;
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".inp" ? SurfaceKind::abaqus : SurfaceKind::stl;
+  return ending == ".inp" || ending == ".msh" ? SurfaceKind::mesh : SurfaceKind::stl;
 }
 
 FileSurface read_surface(const fs::path& file, const SurfaceRequest& request) {

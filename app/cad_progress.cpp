@@ -1,0 +1,42 @@
+#include "app/cad_progress.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "mesher/base/progress.hpp"
+#include "mesher/tools/gmsh_session.hpp"
+
+namespace weaveform {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds patience{1};  // most parts take less, and are not worth a word
+
+struct Reading {
+  bool under_way = false;
+  Clock::time_point begun;
+  std::unique_ptr<Progress> bar;
+};
+
+void tell(Reading& reading, const std::filesystem::path& file, double fraction) {
+  if (!reading.under_way) reading = {true, Clock::now(), nullptr};
+  if (!reading.bar && fraction < 1.0 && Clock::now() - reading.begun > patience)
+    reading.bar = std::make_unique<Progress>("triangles of " + file.filename().string(), false);
+  if (reading.bar && fraction < 1.0) reading.bar->update(fraction, "");
+  if (fraction < 1.0) return;
+  if (reading.bar) reading.bar->finish("");
+  reading = {};
+}
+
+}  // namespace
+
+void show_cad_progress(bool shown) {
+  if (!shown) return watch_cad_reading({});
+  const auto reading = std::make_shared<Reading>();
+  watch_cad_reading([reading](const std::filesystem::path& file, double fraction) { tell(*reading, file, fraction); });
+}
+
+}  // namespace weaveform
