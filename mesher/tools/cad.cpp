@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -83,6 +81,20 @@ CadSurface shape_surface(CadFormat format, const fs::path& path, const fs::path&
   return surface;
 }
 
+// In the child: a script's geometry as a BREP file in `folder`.
+fs::path shape_of_script(const std::string& path, const fs::path& file, const fs::path& folder) {
+  const fs::path shape = folder / "script.brep";
+  (void)open_gmsh(CadFormat::script, path, file, [&] {
+    if (!is_all_opencascade())
+      throw InputError(file.string() +
+                       ": this script's geometry is of Gmsh's own kernel, which no CAD format holds; begin it with "
+                       "SetFactory(\"OpenCASCADE\"), or write STL");
+    gmsh::write(shape.string());
+    return std::string();
+  });
+  return shape;
+}
+
 // In the child: through a BREP file to OpenCASCADE's triangles, or by Gmsh's own where the script's kernel is Gmsh's.
 CadSurface script_surface(const std::string& path, const fs::path& file, const fs::path& folder,
                           double chord_tolerance) {
@@ -125,19 +137,22 @@ CadSurface read_cad(const fs::path& file, double chord_tolerance) {
 
 void convert_cad(const fs::path& from, const fs::path& to) {
   const PrivateFolder folder;
-  std::string ending = to.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  const fs::path written = folder.path() / ("part" + ending);
-  (void)with_gmsh(
+  const fs::path written = folder.path() / "part";
+  const std::string done = with_cad_file(
       from,
-      [&] {
-        gmsh::write(written.string());
-        return std::string("written");
+      [&](CadFormat format, const std::string& path) {
+        const fs::path source =
+            format == CadFormat::script ? shape_of_script(path, from, folder.path()) : fs::path(path);
+        const CadShape read = read_shape(format == CadFormat::script ? CadFormat::brep : format, source);
+        guarded_reading_is_done();
+        const TopoDS_Shape whole = sewn_where_open(read.shape, widest_gap * extent_of(read.shape));
+        return std::string(write_shape(whole, cad_format(to), written) ? "written" : "not");
       },
       folder.path());
+  if (done != "written") throw FileError(to.string() + ": cannot be written so; end its name in .step or .brep");
   std::error_code trouble;
   if (!fs::is_regular_file(fs::symlink_status(written, trouble)))
-    throw FileError(to.string() + ": Gmsh cannot write this; end its name in .step or .brep");
+    throw FileError(to.string() + ": nothing came of writing it; the part may be empty");
   fs::copy_file(written, to, fs::copy_options::overwrite_existing, trouble);
   if (trouble) throw_cannot_write(to, trouble.value());
 }

@@ -10,6 +10,7 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <STEPControl_Reader.hxx>
+#include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <sstream>
@@ -100,6 +101,13 @@ TopoDS_Shape read_as(CadFormat format, const fs::path& file) {
 }
 
 }  // namespace
+
+bool write_shape(const TopoDS_Shape& shape, CadFormat format, const fs::path& file) {
+  if (format == CadFormat::brep) return BRepTools::Write(shape, file.c_str());
+  if (format != CadFormat::step) return false;
+  STEPControl_Writer writer;
+  return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone && writer.Write(file.c_str()) == IFSelect_RetDone;
+}
 
 CadShape read_shape(CadFormat format, const fs::path& file) {
   const char* const kind = format == CadFormat::step ? "STEP" : format == CadFormat::iges ? "IGES" : "BREP";

@@ -19,4 +19,7 @@ struct CadShape {
 // it.
 [[nodiscard]] CadShape read_shape(CadFormat format, const std::filesystem::path& file);
 
+// As STEP (in mm) or BREP. False when OpenCASCADE cannot.
+[[nodiscard]] bool write_shape(const TopoDS_Shape& shape, CadFormat format, const std::filesystem::path& file);
+
 }  // namespace weaveform

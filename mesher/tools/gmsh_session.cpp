@@ -20,6 +20,7 @@
 #include "mesher/base/guarded.hpp"
 #include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/geo_script.hpp"
+#include "mesher/tools/shape_triangles.hpp"
 
 namespace weaveform {
 
@@ -86,8 +87,9 @@ void open_in_gmsh(CadFormat format, const std::string& path) {
     gmsh::merge(path);
   } else {
     const CadShape read = read_shape(format, path);
+    const TopoDS_Shape whole = sewn_where_open(read.shape, widest_gap * extent_of(read.shape));
     gmsh::vectorpair made;
-    gmsh::model::occ::importShapesNativePointer(&read.shape, made, false);
+    gmsh::model::occ::importShapesNativePointer(&whole, made, false);
   }
   gmsh::model::occ::synchronize();
   gmsh::option::setNumber("General.NumThreads", 1);  // a script may have set it

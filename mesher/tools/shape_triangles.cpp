@@ -7,6 +7,7 @@
 #include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
@@ -15,9 +16,11 @@
 #include <ShapeFix_Shape.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
@@ -32,18 +35,10 @@ namespace weaveform {
 
 namespace {
 
-constexpr double finest = 1e-6;         // of the extent; a tolerance that wants more is a slip of the pen
-constexpr double widest_angle = 1.0;    // rad; between chords, so that a hole smaller than the tolerance stays a hole
-constexpr double narrowest_gap = 1e-4;  // of the extent; sewing must not eat a part's own details
+constexpr double finest = 1e-6;       // of the extent; a tolerance that wants more is a slip of the pen
+constexpr double widest_angle = 1.0;  // rad; between chords, so that a hole smaller than the tolerance stays a hole
 constexpr int most_rounds = 6;
 constexpr double last_excess = 2.0;  // times the tolerance: taken with a word after the last round
-
-double extent_of(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  if (box.IsVoid()) return 0.0;
-  return std::sqrt(box.SquareExtent());
-}
 
 // A border, or the seam between two faces that do not know each other.
 bool has_free_edges(const TopoDS_Shape& shape) {
@@ -56,13 +51,6 @@ bool has_free_edges(const TopoDS_Shape& shape) {
       return true;
   }
   return false;
-}
-
-TopoDS_Shape sewn(const TopoDS_Shape& shape, double gap) {
-  BRepBuilderAPI_Sewing sewing(gap);
-  sewing.Add(shape);
-  sewing.Perform();
-  return sewing.SewedShape().IsNull() ? shape : sewing.SewedShape();
 }
 
 void cut_into_triangles(const TopoDS_Shape& shape, double deflection, double from, double to) {
@@ -137,6 +125,35 @@ CadSurface within_tolerance(const TopoDS_Shape& whole, double tolerance, const s
 
 }  // namespace
 
+double extent_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  if (box.IsVoid()) return 0.0;
+  return std::sqrt(box.SquareExtent());
+}
+
+// Solids that are closed stay as they are: what merely touches them is not theirs.
+TopoDS_Shape sewn_where_open(const TopoDS_Shape& shape, double gap) {
+  if (!has_free_edges(shape)) return shape;
+  BRep_Builder builder;
+  TopoDS_Compound result;
+  builder.MakeCompound(result);
+  TopTools_IndexedMapOfShape closed, faces;
+  for (TopExp_Explorer at(shape, TopAbs_SOLID); at.More(); at.Next()) {
+    if (has_free_edges(at.Current())) continue;
+    builder.Add(result, at.Current());
+    TopExp::MapShapes(at.Current(), TopAbs_FACE, closed);
+  }
+  BRepBuilderAPI_Sewing sewing(gap);
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int k = 1; k <= faces.Extent(); ++k)
+    if (!closed.Contains(faces(k))) sewing.Add(faces(k));
+  sewing.Perform();
+  if (sewing.SewedShape().IsNull()) return shape;
+  builder.Add(result, sewing.SewedShape());
+  return result;
+}
+
 CadSurface triangles_of_shape(const TopoDS_Shape& shape, double chord_tolerance, const std::string& file) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -148,8 +165,8 @@ CadSurface triangles_of_shape(const TopoDS_Shape& shape, double chord_tolerance,
           fmt::format("{}: chord_tolerance = {:.3g} mm is too fine for a part {:.4g} mm across; ask for "
                       "{:.2g} mm or more",
                       file, chord_tolerance, extent, finest * extent));
-    const double gap = std::min(0.5 * chord_tolerance, narrowest_gap * extent);
-    return within_tolerance(has_free_edges(shape) ? sewn(shape, gap) : shape, chord_tolerance, file);
+    const double gap = std::min(0.5 * chord_tolerance, widest_gap * extent);
+    return within_tolerance(sewn_where_open(shape, gap), chord_tolerance, file);
   } catch (const Standard_Failure& failure) {
     throw InputError(
         fmt::format("{}: OpenCASCADE cannot cut it into triangles ({}); repair it in CAD, or write it as "

@@ -19,6 +19,7 @@ set(ROBUST_SOURCES
   robust/result_folder_test.cpp
   robust/streams_and_limits_test.cpp
   robust/study_test.cpp
+  robust/tool_command_test.cpp
   robust/type_names_test.cpp
   robust/without_end_test.cpp
 )
