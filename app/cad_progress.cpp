@@ -16,18 +16,21 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds patience{1};  // most parts take less, and are not worth a word
 
 struct Reading {
-  bool under_way = false;
   Clock::time_point begun;
   std::unique_ptr<Progress> bar;
+  bool shown = false;
 };
 
 void tell(Reading& reading, const std::filesystem::path& file, double fraction) {
-  if (!reading.under_way) reading = {true, Clock::now(), nullptr};
-  if (!reading.bar && fraction < 1.0 && Clock::now() - reading.begun > patience)
-    reading.bar = std::make_unique<Progress>("triangles of " + file.filename().string(), false);
-  if (reading.bar && fraction < 1.0) reading.bar->update(fraction, "");
-  if (fraction < 1.0) return;
-  if (reading.bar) reading.bar->finish("");
+  if (!reading.bar)
+    reading = {Clock::now(), std::make_unique<Progress>("triangles of " + file.filename().string(), false), false};
+  const bool done = fraction >= 1.0;
+  if (!done && Clock::now() - reading.begun > patience) {
+    reading.bar->update(fraction, "");
+    reading.shown = true;
+  }
+  if (!done) return;
+  if (reading.shown) reading.bar->finish("");
   reading = {};
 }
 

@@ -252,7 +252,8 @@ TEST_F(StrangersCad, TheReadersOwnWordsComeWithTheLine) {
   const std::size_t at = step.find("CARTESIAN_POINT('',(");
   ASSERT_NE(at, std::string::npos);
   step.replace(at, 20, "CARTESIAN_POINT('',((");
-  const auto line = std::count(step.begin(), step.begin() + static_cast<long>(at), '\n') + 1;
+  // a statement is found wanting where it ends, on the line after
+  const auto line = std::count(step.begin(), step.begin() + static_cast<long>(at), '\n') + 2;
   const std::string broken = complaint(file("broken.step", step));
   EXPECT_NE(broken.find(fmt::format("Line {}: Incorrect syntax", line)), std::string::npos) << line << ": " << broken;
 
