@@ -4,6 +4,7 @@
 #include <exception>
 #include <sstream>
 
+#include "app/cad_progress.hpp"
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/process.hpp"
@@ -55,6 +56,7 @@ int run_command(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   weaveform::prepare_process();
+  weaveform::show_cad_progress(true);
   try {
     return run_command(argc, argv);
   } catch (const std::exception& error) {

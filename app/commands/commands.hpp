@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cad_progress.hpp"
 #include "mesher/tools/geo_script.hpp"
 #include "solver/solve.hpp"
 
@@ -70,7 +71,13 @@ inline void add_folder_argument(CLI::App& command, std::string& directory) {
 }
 
 inline void add_quiet_argument(CLI::App& command, bool& quiet) {
-  command.add_flag("-q,--quiet", quiet, "Print nothing but warnings and errors");
+  command.add_flag_callback(
+      "-q,--quiet",
+      [&quiet] {
+        quiet = true;
+        show_cad_progress(false);
+      },
+      "Print nothing but warnings and errors");
 }
 
 inline void add_verbose_argument(CLI::App& command, bool& verbose) {

@@ -2,6 +2,9 @@
 // others.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,10 +12,10 @@
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/output_folder.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
-#include "mesher/scene/scene.hpp"
 #include "mesher/tools/cad.hpp"
-#include "mesher/tools/stl.hpp"
+#include "mesher/tools/surface_file.hpp"
 #include "mesher/tools/triangle_report.hpp"
 
 namespace weaveform {
@@ -23,7 +26,8 @@ struct ToolArguments {
   std::string file;
   std::string output;
   bool force = false;
-  double chord_tolerance = ToolSpec{}.chord_tolerance;
+  double chord_tolerance = SurfaceRequest{}.chord_tolerance;
+  std::string unit;
 };
 
 std::string stl_text(const TriangleList& list) {
@@ -37,50 +41,64 @@ std::string stl_text(const TriangleList& list) {
   return text + "endsolid Written by weaveform\n";
 }
 
-std::string describe_surface(const ToolArguments& arguments, const TriangleReport& report, double chord_error) {
-  std::string text =
-      fmt::format("{}: {} triangles in {} piece{}, {:.6g} x {:.6g} x {:.6g} mm, area {:.6g} mm2, {}", arguments.file,
-                  report.triangles, report.pieces, report.pieces == 1 ? "" : "s", report.high[0] - report.low[0],
-                  report.high[1] - report.low[1], report.high[2] - report.low[2], report.area,
-                  report.closed ? fmt::format("closed, volume {:.6g} mm3", report.volume)
-                                : fmt::format("open, {} borders", report.borders.size()));
-  if (is_cad_file(arguments.file)) text += fmt::format("; within {:.3g} mm of the true surface", chord_error);
-  return text + "\n" + describe_faults(report);
+std::string corner(const std::array<double, 3>& at) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
+}
+
+std::string describe_surface(const ToolArguments& arguments, const TriangleReport& report, const FileSurface& surface) {
+  std::string text = fmt::format(
+      "{}: {} triangles in {} piece{}, {:.6g} x {:.6g} x {:.6g} mm from {} to {}, area {:.6g} mm2, {}", arguments.file,
+      report.triangles, report.pieces, report.pieces == 1 ? "" : "s", report.high[0] - report.low[0],
+      report.high[1] - report.low[1], report.high[2] - report.low[2], corner(report.low), corner(report.high),
+      report.area,
+      report.closed ? fmt::format("closed, volume {:.6g} mm3", report.volume)
+                    : fmt::format("open, {} border{}", report.borders.size(), report.borders.size() == 1 ? "" : "s"));
+  if (is_cad_file(arguments.file)) text += fmt::format("; within {:.3g} mm of the true surface", surface.chord_error);
+  text += "\n";
+  for (const std::string& word : surface.words) text += fmt::format("warning: {}\n", word);
+  return text + describe_faults(report);
+}
+
+// Through another name, for Gmsh goes by its ending.
+void write_as_cad(const std::filesystem::path& file, const std::filesystem::path& output) {
+  write_whole(output, [&](const std::filesystem::path& temporary) {
+    const std::filesystem::path named = temporary.string() + output.extension().string();
+    convert_cad(file, named);
+    std::filesystem::rename(named, temporary);
+  });
 }
 
 void look_at_tool(const ToolArguments& arguments) {
   const std::filesystem::path file = arguments.file, output = arguments.output;
-  CadSurface surface;
-  if (is_cad_file(file)) {
-    surface = read_cad(file, arguments.chord_tolerance);
-    surface.list = turned_alike(surface.list, {0.0, 0.0, 1e6});  // open ones look up
-  } else {
-    surface.list = read_stl(file);
-  }
-  print_answer(describe_surface(arguments, inspect(surface.list), surface.chord_error));
+  FileSurface surface = read_surface(file, {millimetres_of(arguments.unit), arguments.chord_tolerance, ""});
+  const bool keeps_its_sense = surface_kind(file) == SurfaceKind::stl;
+  if (!keeps_its_sense) surface.list = turned_alike(surface.list, {0.0, 0.0, 1e6});  // open ones look up
+  print_answer(describe_surface(arguments, inspect(surface.list), surface));
   if (output.empty()) return;
   require_writable(output, {file}, arguments.force);
-  if (output.extension() == ".stl")
-    write_text_whole(output, stl_text(surface.list));
-  else
-    write_whole(output, [&](const std::filesystem::path& temporary) {
-      // Gmsh goes by the name's ending
-      const std::filesystem::path named = temporary.string() + output.extension().string();
-      convert_cad(file, named);
-      std::filesystem::rename(named, temporary);
-    });
+  std::string ending = output.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending == ".stl") return write_text_whole(output, stl_text(surface.list));
+  if (!is_cad_file(file))
+    throw InputError(fmt::format("{}: {} holds triangles, which no CAD file is made of; end its name in .stl",
+                                 output.string(), file.string()));
+  if (!arguments.unit.empty() && arguments.unit != "mm")
+    throw InputError(fmt::format("{}: --unit does not convert CAD; end its name in .stl", output.string()));
+  write_as_cad(file, output);
 }
 
 }  // namespace
 
 void add_tool_command(CLI::App& program) {
-  auto* command =
-      program.add_subcommand("tool", "Size of a tool's surface (STL, STEP, IGES, BREP, .geo) and its faults");
+  auto* command = program.add_subcommand(
+      "tool", "Size and place of a tool's surface (STL, STEP, IGES, BREP, .geo, .inp) and its faults");
   const auto arguments = std::make_shared<ToolArguments>();
-  command->add_option("FILE", arguments->file, "STL or CAD file")->required();
+  command->add_option("FILE", arguments->file, "STL, CAD or Abaqus .inp file")->required();
   add_trust_argument(*command);
   command->add_option("--chord-tolerance", arguments->chord_tolerance, "mm; of triangles made from CAD")
       ->capture_default_str();
+  command->add_option("--unit", arguments->unit, "Of a file that names none (all but STEP and IGES); mm when left out")
+      ->check(CLI::IsMember({"mm", "cm", "m", "inch"}));
   command->add_option("-o,--output", arguments->output, "Write it as .stl, or CAD as .step or .brep");
   add_force_argument(*command, arguments->force);
   command->callback([arguments] { look_at_tool(*arguments); });

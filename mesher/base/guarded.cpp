@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -50,6 +52,35 @@ constexpr bool address_space_is_reserved = false;
 #else
 constexpr bool address_space_is_reserved = false;
 #endif
+
+// A number that both processes see.
+class SharedFraction {
+public:
+  SharedFraction() : page_(mmap(nullptr, sizeof(Number), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (page_ != MAP_FAILED) new (page_) Number(0.0);
+  }
+  ~SharedFraction() {
+    if (page_ != MAP_FAILED) munmap(page_, sizeof(Number));
+  }
+  SharedFraction(const SharedFraction&) = delete;
+  SharedFraction& operator=(const SharedFraction&) = delete;
+  // A child may write anything here.
+  [[nodiscard]] double value() const {
+    const double fraction = page_ == MAP_FAILED ? 0.0 : number().load();
+    return fraction >= 0.0 && fraction <= 1.0 ? fraction : 0.0;
+  }
+  void set(double fraction) {
+    if (page_ != MAP_FAILED) number().store(fraction);
+  }
+
+private:
+  using Number = std::atomic<double>;
+  static_assert(Number::is_always_lock_free);
+  [[nodiscard]] Number& number() const { return *static_cast<Number*>(page_); }
+  void* page_;
+};
+
+SharedFraction* fraction_of_this_child = nullptr;
 
 void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   rlimit now{};
@@ -131,7 +162,9 @@ std::string outcome_of(const std::function<std::string()>& work) {
   }
 }
 
-[[noreturn]] void be_the_child(const Guard& guard, const std::function<std::string()>& work, pid_t parent, int pipe) {
+[[noreturn]] void be_the_child(const Guard& guard, const std::function<std::string()>& work, pid_t parent, int pipe,
+                               SharedFraction& done) {
+  fraction_of_this_child = &done;
   enter_limits(guard, parent, pipe);
   const std::string bytes = outcome_of(work);
   for (std::size_t sent = 0; sent < bytes.size();) {
@@ -195,7 +228,7 @@ double clock_limit(const Guard& guard) {
 }
 
 // What the child sent until it closed its end.
-std::string received(int pipe, const Guard& guard) {
+std::string received(int pipe, const Guard& guard, const SharedFraction& done) {
   const double seconds = clock_limit(guard);
   const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
   const auto most = static_cast<std::size_t>(guard.gigabytes * bytes_per_gigabyte);
@@ -205,8 +238,10 @@ std::string received(int pipe, const Guard& guard) {
     const double left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
     if (left <= 0.0) throw failure(guard, too_long(seconds));
     if (bytes.size() > most) throw failure(guard, too_much(guard));
+    constexpr double look = 100.0;  // ms
     pollfd ready{pipe, POLLIN, 0};
-    if (poll(&ready, 1, static_cast<int>(std::min(left + 1.0, 1e6))) <= 0) continue;
+    if (guard.while_it_works) guard.while_it_works(done.value());
+    if (poll(&ready, 1, static_cast<int>(std::min(left + 1.0, guard.while_it_works ? look : 1e6))) <= 0) continue;
     const ssize_t got = read(pipe, part.data(), part.size());
     if (got > 0) bytes.append(part.data(), static_cast<std::size_t>(got));
     if (got == 0 || (got < 0 && errno != EINTR)) return bytes;
@@ -257,20 +292,25 @@ void guarded_reading_is_done() {
   set_reading_time(0.0);
 }
 
+void guarded_progress(double fraction) {
+  if (fraction_of_this_child != nullptr) fraction_of_this_child->set(fraction);
+}
+
 std::string run_guarded(const Guard& guard, const std::function<std::string()>& work) {
   std::array<int, 2> pipe{};
   if (pipe2(pipe.data(), O_CLOEXEC) != 0)
     throw FileError(fmt::format("{}: no pipe to read it through ({})", guard.file, std::strerror(errno)));
   raise_above_streams(pipe);
   const pid_t parent = getpid();
+  SharedFraction done;
   const pid_t number = fork();
-  if (number == 0) be_the_child(guard, work, parent, pipe[1]);
+  if (number == 0) be_the_child(guard, work, parent, pipe[1], done);
   const int reason = errno;
   close(pipe[1]);
   const Descriptor end(pipe[0]);
   if (number < 0) throw FileError(fmt::format("{}: no process to read it in ({})", guard.file, std::strerror(reason)));
   Child child(number);
-  std::string bytes = received(end.number(), guard);
+  std::string bytes = received(end.number(), guard, done);
   const int status = child.ended();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) throw failure(guard, death_of(status, guard));
   return decoded(std::move(bytes), guard);

@@ -24,6 +24,8 @@ struct Guard {
   std::filesystem::path writable_folder = {};  // "": the child writes nowhere
   int open_file = -1;                          // a descriptor that stays open in the child
   bool may_act = false;                        // the child may write any file and start programs; the limits stay
+  // Called in this process about ten times a second while the child works, with the part done by guarded_progress().
+  std::function<void(double fraction)> while_it_works = {};
 };
 
 // The bytes that `work` returns in the child. Exceptions of ours come back as they were thrown; any other, and the
@@ -33,5 +35,8 @@ struct Guard {
 
 // Called by `work` in the child: what is left may take all the time there is.
 void guarded_reading_is_done();
+
+// Called by `work` in the child: how much of it is done, 0 to 1. Cheap; without effect when nobody watches.
+void guarded_progress(double fraction);
 
 }  // namespace weaveform

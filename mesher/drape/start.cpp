@@ -32,9 +32,9 @@ std::string place_text(const Vector3d& x) {
   throw InputError((scene.file.empty() ? "" : scene.file + ": ") + "[drape] " + what);
 }
 
-Tool named_tool(const Scene& scene, double thickness) {
+Tool named_tool(const Scene& scene, const Mesh& mesh) {
   std::vector<std::string> names;
-  for (auto& tool : make_tools(scene, thickness)) {
+  for (auto& tool : make_tools(scene, mesh)) {
     if (tool.name == scene.drape->tool) return tool;
     names.push_back(tool.name);
   }
@@ -161,7 +161,7 @@ Vector3d flat_point(const BlankSpec& blank, const std::array<double, 2>& point) 
 DrapeStart drape_start(const Scene& scene, const Mesh& mesh) {
   const DrapeSpec& drape = *scene.drape;
   DrapeStart start;
-  const Tool tool = named_tool(scene, mesh.thickness);
+  const Tool tool = named_tool(scene, mesh);
   start.crossing = nearest_crossing(scene, mesh);
   start.offset = tool.offset;
   start.surface = std::make_unique<ToolSurface>(tool, tool.offset);

@@ -65,7 +65,7 @@ void gather_grips(const Scene& scene, Gathered& model) {
 }
 
 void gather_tools(const Scene& scene, const Mesh& mesh, Gathered& model) {
-  std::vector<Tool> tools = make_tools(scene, mesh.thickness);
+  std::vector<Tool> tools = make_tools(scene, mesh);
   for (std::size_t k = 0; k < tools.size(); ++k) {
     ToolMotion motion{std::move(tools[k]), &scene.tools[k], {}};
     for (std::size_t c = 0; c < 3; ++c) motion.travel[c] = motion.spec->travel * motion.tool.direction[c] + 0.0;

@@ -38,7 +38,7 @@ void check_shape_keys(const ToolSpec& tool, const toml::table& table, Complaints
       {"fillet_radius", tool.fillet_radius != 0.0, {}, {"ring"}},
       {"profile", !tool.profile.empty(), {"revolved"}},
       {"file", !tool.file.empty(), {"triangles"}},
-      {"chord_tolerance", tool.chord_tolerance != ToolSpec{}.chord_tolerance, {}, {"triangles"}},
+      {"chord_tolerance", tool.chord_tolerance.has_value(), {}, {"triangles"}},
       {"unit", !tool.unit.empty(), {}, {"triangles"}},
       {"flip", tool.flip, {}, {"triangles"}},
       {"position", tool.position.has_value(), {"cylinder", "revolved"}, {"plane", "sphere", "ring", "triangles"}},

@@ -91,9 +91,9 @@ struct ToolSpec {
   Auto opening_radius;                             // mm; ring
   double fillet_radius = 0.0;                      // mm; ring: of the opening's rim
   std::vector<std::vector<double>> profile;        // mm; revolved: corners (mesher/tools/profile.hpp)
-  std::string file;                                // triangles: STL or CAD file, relative to the scene file
-  double chord_tolerance = 0.05;                   // mm; triangles from CAD: greatest distance from the true surface
-  std::string unit;                                // of an STL file: "mm", "cm", "m", "inch"; empty: mm, and checked
+  std::string file;                                // triangles: STL, CAD or .inp, relative to the scene file
+  Auto chord_tolerance;                            // mm; triangles from CAD: greatest distance from the true surface
+  std::string unit;                                // of the file: "mm", "cm", "m", "inch"; empty: mm, and checked
   bool flip = false;                               // triangles: turn the surface over, its inside out
   double travel = 0.0;                             // mm; along direction over the duration
   std::optional<std::array<double, 3>> direction;  // of travel or force; none: the way the tool faces

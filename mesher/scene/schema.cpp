@@ -221,17 +221,20 @@ const std::vector<Key<ToolSpec>> tool_keys = {
              "and last line go on for ever beyond an end off the axis"}),
     key<&ToolSpec::file>(
         {.name = "file",
-         .doc = "surface of a tool of triangles, relative to the scene file: STL (outside counter-clockwise), or CAD "
-                "through Gmsh: STEP, IGES, BREP, .geo (made to face outward, open ones to the blank)"}),
-    key<&ToolSpec::chord_tolerance>({.name = "chord_tolerance",
-                                     .unit = "mm",
-                                     .limits = between(1e-4, 1e3),
-                                     .doc = "of triangles made from CAD: greatest distance from the true surface"}),
+         .doc = "surface of a tool of triangles, relative to the scene file: STL (outside counter-clockwise), CAD "
+                "(STEP, IGES, BREP, Gmsh's .geo) or the shells of an Abaqus .inp (these are made to face outward, open "
+                "ones to the blank)"}),
+    key<&ToolSpec::chord_tolerance>(
+        {.name = "chord_tolerance",
+         .unit = "mm",
+         .limits = between(1e-4, 1e3),
+         .doc = "of triangles made from CAD: greatest distance from the true surface. Left out: a "
+                "hundredth of a cell's shorter edge"}),
     key<&ToolSpec::unit>(
         {.name = "unit",
          .allowed = {"mm", "cm", "m", "inch"},
-         .doc = "of an STL file, which names none; left out: mm, and refused when the tool is then out of "
-                "all proportion to the blank. STEP and IGES bring their own"}),
+         .doc = "of an STL, BREP, .geo or .inp file, which name none; left out: mm, and refused when the tool is then "
+                "out of all proportion to the blank. STEP and IGES bring their own"}),
     key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
     key<&ToolSpec::travel>({.name = "travel",
                             .unit = "mm",

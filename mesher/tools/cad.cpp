@@ -3,108 +3,35 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 #include <system_error>
-#include <unordered_map>
 
 #include "mesher/base/bytes.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
+#include "mesher/base/guarded.hpp"
+#include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/gmsh_session.hpp"
+#include "mesher/tools/script_triangles.hpp"
+#include "mesher/tools/shape_triangles.hpp"
 
 namespace weaveform {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double first_per_turn = 16.0;    // triangles around a full circle, to begin with
-constexpr double greatest_per_turn = 400;  // a tolerance that wants more is a slip of the pen
-
 using Point = std::array<double, 3>;
-
-// Greatest distance of the sides' midpoints and centres of a face's triangles from that face.
-double face_error(int face, const std::vector<Point>& point, const std::vector<std::array<int, 3>>& triangle) {
-  std::vector<double> probe;
-  for (const auto& t : triangle) {
-    Point centre = {0.0, 0.0, 0.0};
-    for (int k = 0; k < 3; ++k)
-      for (int c = 0; c < 3; ++c) {
-        probe.push_back(0.5 * (point[t[k]][c] + point[t[(k + 1) % 3]][c]));
-        centre[c] += point[t[k]][c] / 3.0;
-      }
-    probe.insert(probe.end(), centre.begin(), centre.end());
-  }
-  double worst = 0.0;
-  // a face without curvature needs no probing, and most triangles of a part may lie on such
-  std::string type;
-  gmsh::model::getType(2, face, type);
-  if (type == "Plane") return 0.0;
-  std::vector<double> nearest, parameter;
-  gmsh::model::getClosestPoint(2, face, probe, nearest, parameter);
-  for (std::size_t k = 0; k + 2 < probe.size() && k + 2 < nearest.size(); k += 3)
-    worst = std::max(worst,
-                     std::hypot(probe[k] - nearest[k], probe[k + 1] - nearest[k + 1], probe[k + 2] - nearest[k + 2]));
-  return worst;
-}
-
-CadSurface triangulate(double per_turn) {
-  gmsh::model::mesh::clear();
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", per_turn);
-  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
-  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::model::mesh::generate(2);
-  CadSurface surface;
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
-  std::unordered_map<std::size_t, int> index;
-  for (std::size_t n = 0; n < tags.size(); ++n) {
-    index.emplace(tags[n], static_cast<int>(n));
-    surface.list.point.push_back({coordinates[3 * n], coordinates[3 * n + 1], coordinates[3 * n + 2]});
-  }
-  gmsh::vectorpair faces;
-  gmsh::model::getEntities(faces, 2);
-  for (const auto& [dimension, face] : faces) {
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> elements, nodes;
-    gmsh::model::mesh::getElements(types, elements, nodes, dimension, face);
-    std::vector<std::array<int, 3>> triangle;
-    for (std::size_t t = 0; t < types.size(); ++t)
-      for (std::size_t k = 0; types[t] == 2 && k + 2 < nodes[t].size(); k += 3)
-        triangle.push_back({index[nodes[t][k]], index[nodes[t][k + 1]], index[nodes[t][k + 2]]});
-    surface.chord_error = std::max(surface.chord_error, face_error(face, surface.list.point, triangle));
-    surface.list.triangle.insert(surface.list.triangle.end(), triangle.begin(), triangle.end());
-  }
-  return surface;
-}
-
-// In the child: finer and finer until the measured error is within the tolerance.
-CadSurface within_tolerance(const fs::path& file, double chord_tolerance) {
-  for (double per_turn = first_per_turn;;) {
-    CadSurface surface = triangulate(per_turn);
-    if (surface.list.triangle.empty())
-      throw InputError(file.string() + ": holds no surface; write the part's faces or solid into it");
-    if (surface.chord_error <= chord_tolerance) return surface;
-    // the error goes with the square of the side; a little more than that asks for
-    const double factor = 1.1 * std::sqrt(surface.chord_error / chord_tolerance);
-    if (!(per_turn * factor <= greatest_per_turn))
-      throw InputError(
-          fmt::format("{}: triangles come within {:.3g} mm of the surface, not within chord_tolerance = {:.3g} "
-                      "mm; ask for less",
-                      file.string(), surface.chord_error, chord_tolerance));
-    per_turn *= std::clamp(factor, 1.2, 4.0);
-  }
-}
 
 std::string encoded(const CadSurface& surface) {
   ByteWriter bytes;
   bytes.value(surface.chord_error);
   bytes.list(surface.list.point);
   bytes.list(surface.list.triangle);
+  bytes.value<std::uint64_t>(surface.words.size());
+  for (const std::string& word : surface.words) bytes.text(word);
   return bytes.take();
 }
 
@@ -116,6 +43,8 @@ CadSurface decoded(const std::string& bytes, const fs::path& file) {
     surface.chord_error = reader.value<double>();
     surface.list.point = reader.list<Point>();
     surface.list.triangle = reader.list<std::array<int, 3>>();
+    for (std::size_t left = reader.count_of(sizeof(std::uint64_t)); left > 0; --left)
+      surface.words.push_back(reader.text());
   } catch (const std::runtime_error& trouble) {
     throw InputError(
         fmt::format("{}: its surface came back in pieces ({}); write the file again", file.string(), trouble.what()));
@@ -143,30 +72,87 @@ private:
   fs::path path_;
 };
 
+// In the child.
+CadSurface shape_surface(CadFormat format, const fs::path& path, const fs::path& file, double chord_tolerance) {
+  CadShape read = read_shape(format, path);
+  guarded_reading_is_done();
+  CadSurface surface = triangles_of_shape(read.shape, chord_tolerance, file.string());
+  surface.words.insert(surface.words.begin(), read.words.begin(), read.words.end());
+  return surface;
+}
+
+// In the child: a script's geometry as a BREP file in `folder`.
+fs::path shape_of_script(const std::string& path, const fs::path& file, const fs::path& folder) {
+  const fs::path shape = folder / "script.brep";
+  (void)open_gmsh(CadFormat::script, path, file, [&] {
+    if (!is_all_opencascade())
+      throw InputError(file.string() +
+                       ": this script's geometry is of Gmsh's own kernel, which no CAD format holds; begin it with "
+                       "SetFactory(\"OpenCASCADE\"), or write STL");
+    gmsh::write(shape.string());
+    return std::string();
+  });
+  return shape;
+}
+
+// In the child: through a BREP file to OpenCASCADE's triangles, or by Gmsh's own where the script's kernel is Gmsh's.
+CadSurface script_surface(const std::string& path, const fs::path& file, const fs::path& folder,
+                          double chord_tolerance) {
+  const std::string shape = (folder / "script.brep").string();
+  CadSurface surface;
+  const auto in_gmsh = [&] {
+    if (!is_all_opencascade()) {
+      surface = triangles_of_script(chord_tolerance, file.string());
+      return std::string("triangles");
+    }
+    gmsh::write(shape);
+    return std::string("shape");
+  };
+  if (open_gmsh(CadFormat::script, path, file, in_gmsh) == "triangles") return surface;
+  return shape_surface(CadFormat::brep, shape, file, chord_tolerance);
+}
+
 }  // namespace
 
 bool is_cad_file(const fs::path& file) {
   return cad_format(file) != CadFormat::none;
 }
 
+bool names_its_unit(const fs::path& file) {
+  return cad_format(file) == CadFormat::step || cad_format(file) == CadFormat::iges;
+}
+
 CadSurface read_cad(const fs::path& file, double chord_tolerance) {
-  const std::string bytes = with_gmsh(file, [&] { return encoded(within_tolerance(file, chord_tolerance)); });
+  const PrivateFolder folder;
+  const bool is_script = cad_format(file) == CadFormat::script;
+  const std::string bytes = with_cad_file(
+      file,
+      [&](CadFormat format, const std::string& path) {
+        return encoded(is_script ? script_surface(path, file, folder.path(), chord_tolerance)
+                                 : shape_surface(format, path, file, chord_tolerance));
+      },
+      is_script ? folder.path() : fs::path());
   return decoded(bytes, file);
 }
 
 void convert_cad(const fs::path& from, const fs::path& to) {
   const PrivateFolder folder;
-  const fs::path written = folder.path() / ("part" + to.extension().string());
-  (void)with_gmsh(
+  const fs::path written = folder.path() / "part";
+  const std::string done = with_cad_file(
       from,
-      [&] {
-        gmsh::write(written.string());
-        return std::string("written");
+      [&](CadFormat format, const std::string& path) {
+        const fs::path source =
+            format == CadFormat::script ? shape_of_script(path, from, folder.path()) : fs::path(path);
+        const CadShape read = read_shape(format == CadFormat::script ? CadFormat::brep : format, source);
+        guarded_reading_is_done();
+        const TopoDS_Shape whole = sewn_where_open(read.shape, widest_gap * extent_of(read.shape));
+        return std::string(write_shape(whole, cad_format(to), written) ? "written" : "not");
       },
       folder.path());
+  if (done != "written") throw FileError(to.string() + ": cannot be written so; end its name in .step or .brep");
   std::error_code trouble;
   if (!fs::is_regular_file(fs::symlink_status(written, trouble)))
-    throw FileError(to.string() + ": Gmsh cannot write this; end its name in .step or .brep");
+    throw FileError(to.string() + ": nothing came of writing it; the part may be empty");
   fs::copy_file(written, to, fs::copy_options::overwrite_existing, trouble);
   if (trouble) throw_cannot_write(to, trouble.value());
 }

@@ -18,7 +18,9 @@
 #include "mesher/base/error.hpp"
 #include "mesher/base/files.hpp"
 #include "mesher/base/guarded.hpp"
+#include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/geo_script.hpp"
+#include "mesher/tools/shape_triangles.hpp"
 
 namespace weaveform {
 
@@ -31,20 +33,12 @@ constexpr double reading_bytes_per_second = 1e5;  // well below what OpenCASCADE
 const char* name_of(CadFormat format) {
   switch (format) {
     case CadFormat::step:
-      return "step";
+      return "STEP";
     case CadFormat::iges:
-      return "iges";
-    case CadFormat::brep:
-      return "brep";
+      return "IGES";
     default:
-      return "geo";
+      return "BREP";
   }
-}
-
-std::string upper_name_of(CadFormat format) {
-  std::string name = name_of(format);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  return name;
 }
 
 // A script that was looked at, as a file in memory: Gmsh reads those bytes and no others, and looks beside it for none
@@ -89,37 +83,17 @@ void open_in_gmsh(CadFormat format, const std::string& path) {
   gmsh::logger::start();
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);
-  gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
   if (format == CadFormat::script) {
     gmsh::merge(path);
   } else {
+    const CadShape read = read_shape(format, path);
+    const TopoDS_Shape whole = sewn_where_open(read.shape, widest_gap * extent_of(read.shape));
     gmsh::vectorpair made;
-    gmsh::model::occ::importShapes(path, made, false, name_of(format));
+    gmsh::model::occ::importShapesNativePointer(&whole, made, false);
   }
   gmsh::model::occ::synchronize();
   gmsh::option::setNumber("General.NumThreads", 1);  // a script may have set it
   if (format != CadFormat::script) guarded_reading_is_done();
-}
-
-std::string run_gmsh(CadFormat format, const std::string& path, const fs::path& file,
-                     const std::function<std::string()>& work) {
-  const auto failed = [&](const std::string& thrown) {
-    return InputError(
-        fmt::format("{}: Gmsh cannot read or mesh this geometry ({}); mend it, or write it as STEP or STL",
-                    file.string(), words_of_gmsh(thrown, path, file)));
-  };
-  try {
-    open_in_gmsh(format, path);
-    return work();
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::string& thrown) {
-    throw failed(thrown);
-  } catch (const std::runtime_error& thrown) {
-    throw failed(thrown.what());
-  } catch (int) {
-    throw failed("no reason given");
-  }
 }
 
 // OpenCASCADE goes on for ever over files of another kind. Each format says early what it is: STEP in its first line,
@@ -141,41 +115,94 @@ void require_begins_as(CadFormat format, const fs::path& file) {
   }
   if (!fits)
     throw InputError(fmt::format("{}: does not begin as {} files do; end its name in what it is, or write it again",
-                                 file.string(), upper_name_of(format)));
+                                 file.string(), name_of(format)));
 }
+
+CadWatcher& watcher() {
+  static CadWatcher watch;
+  return watch;
+}
+
+// Tells that it is done as well, whatever comes of it.
+class Watched {
+public:
+  explicit Watched(const fs::path& file) : file_(file) {}
+  ~Watched() { tell(1.0); }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+  void tell(double fraction) const {
+    if (watcher()) watcher()(file_, fraction);
+  }
+
+private:
+  const fs::path& file_;
+};
 
 }  // namespace
 
 CadFormat cad_format(const fs::path& file) {
-  static const std::map<std::string, CadFormat> formats = {{".step", CadFormat::step}, {".stp", CadFormat::step},
-                                                           {".iges", CadFormat::iges}, {".igs", CadFormat::iges},
-                                                           {".brep", CadFormat::brep}, {".geo", CadFormat::script}};
+  static const std::map<std::string, CadFormat> formats = {
+      {".step", CadFormat::step}, {".stp", CadFormat::step}, {".iges", CadFormat::iges}, {".igs", CadFormat::iges},
+      {".brep", CadFormat::brep}, {".brp", CadFormat::brep}, {".geo", CadFormat::script}};
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   const auto found = formats.find(ending);
   return found == formats.end() ? CadFormat::none : found->second;
 }
 
-std::string with_gmsh(const fs::path& file, const std::function<std::string()>& work, const fs::path& writable_folder) {
+std::string with_cad_file(const fs::path& file, const CadWork& work, const fs::path& writable_folder) {
   require_regular_file(file);
   const CadFormat format = cad_format(file);
+  const bool is_script = format == CadFormat::script;
   Guard guard{.file = file.string(),
-              .what = format == CadFormat::script ? "the reader of Gmsh scripts"
-                                                  : "the reader of " + upper_name_of(format) + " files",
+              .what = is_script ? "the reader of Gmsh scripts" : fmt::format("the reader of {} files", name_of(format)),
               .remedy = "the file may be damaged: write it again, simpler, in another CAD format, or as STL",
               .writable_folder = writable_folder};
-  if (format != CadFormat::script) {
+  const Watched watched(file);
+  if (watcher()) guard.while_it_works = [&](double fraction) { watched.tell(fraction); };
+  if (!is_script) {
     require_begins_as(format, file);
     guard.reading_seconds = 10.0 + static_cast<double>(fs::file_size(file)) / reading_bytes_per_second;
-    return run_guarded(guard, [&] { return run_gmsh(format, file.string(), file, work); });
+    return run_guarded(guard, [&] { return work(format, file.string()); });
   }
   if (geo_scripts_are_trusted()) {
     guard.may_act = true;
-    return run_guarded(guard, [&] { return run_gmsh(format, file.string(), file, work); });
+    return run_guarded(guard, [&] { return work(format, file.string()); });
   }
   const ScriptInMemory script(geometry_script(read_text_file(file), file.string()), file);
   guard.open_file = script.number();
-  return run_guarded(guard, [&] { return run_gmsh(format, script.path(), file, work); });
+  return run_guarded(guard, [&] { return work(format, script.path()); });
+}
+
+std::string open_gmsh(CadFormat format, const std::string& path, const fs::path& file,
+                      const std::function<std::string()>& work) {
+  const auto failed = [&](const std::string& thrown) {
+    return InputError(
+        fmt::format("{}: Gmsh cannot read or mesh this geometry ({}); mend it, or write it as STEP or STL",
+                    file.string(), words_of_gmsh(thrown, path, file)));
+  };
+  try {
+    open_in_gmsh(format, path);
+    return work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::string& thrown) {
+    throw failed(thrown);
+  } catch (const std::runtime_error& thrown) {
+    throw failed(thrown.what());
+  } catch (int) {
+    throw failed("no reason given");
+  }
+}
+
+std::string with_gmsh(const fs::path& file, const std::function<std::string()>& work, const fs::path& writable_folder) {
+  return with_cad_file(
+      file, [&](CadFormat format, const std::string& path) { return open_gmsh(format, path, file, work); },
+      writable_folder);
+}
+
+void watch_cad_reading(CadWatcher watch) {
+  watcher() = std::move(watch);
 }
 
 }  // namespace weaveform

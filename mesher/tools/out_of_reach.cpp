@@ -115,7 +115,7 @@ std::vector<std::string> tools_out_of_reach(const Scene& scene, const Mesh& mesh
       std::any_of(scene.grip.begin(), scene.grip.end(), travels))
     return {};
   const Cloud cloud = pick_nodes(mesh);
-  const std::vector<Tool> tools = make_tools(scene, mesh.thickness);
+  const std::vector<Tool> tools = make_tools(scene, mesh);
   std::vector<Approach> approaches;
   for (std::size_t t = 0; t < tools.size(); ++t) approaches.push_back(approach(tools[t], scene.tools[t], cloud));
   std::vector<std::string> lines;

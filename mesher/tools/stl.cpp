@@ -98,9 +98,10 @@ public:
     std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
     return word;
   }
-  void pass_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
-  void expect(const char* wanted) {
-    const std::string word = next();
+  void pass_line() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
+  void expect(const std::string& wanted) {
+    std::string word = next();
+    if (word == "end" && wanted.starts_with("end")) word += next();  // "end loop"
     if (word != wanted) fail(fmt::format("'{}' where '{}' belongs", word.substr(0, 40), wanted));
   }
   double number() {
@@ -150,13 +151,36 @@ TriangleList parse_text(std::string_view text, const std::string& name) {
     const std::string word = words.next();
     if (word == "facet" && open)
       parse_facet(words, found);
-    else if (word == "solid" || word == "endsolid")
+    else if (word == "solid" || word == "endsolid" || (word == "end" && open))
       open = word == "solid", words.pass_line();  // a name of any words
+    else if (open || word == "facet")
+      words.fail(fmt::format("'{}' where {} belongs", word.substr(0, 40), open ? "a facet or endsolid" : "solid"));
     else
-      words.fail(fmt::format("'{}' where a facet or endsolid belongs", word.substr(0, 40)));
+      words.pass_line();  // comments, and whatever else programs write around a solid
   }
   if (open) words.fail("no endsolid; it may have been cut short");
   return found.take();
+}
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // UTF-8
+
+// A line of it begins with "solid", and nothing up to there is a byte that no text has. A header of a binary file that
+// begins so is followed by such bytes before long.
+bool is_text(std::string_view bytes) {
+  constexpr std::size_t farthest = 1 << 16, looked_at = 512;
+  const std::string_view head = bytes.substr(0, farthest);
+  const auto no_text = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f'; };
+  const auto first = std::find_if(head.begin(), head.end(), no_text);
+  const auto clean = static_cast<std::size_t>(first - head.begin());
+  std::string text(head.substr(0, clean));
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  for (std::size_t at = 0; at < text.size(); at = text.find_first_of("\r\n", at)) {
+    at = text.find_first_not_of(" \t\r\n\f", at);
+    if (at == std::string::npos) return false;
+    if (text.compare(at, 5, "solid") == 0) return clean == head.size() || clean > at + looked_at;
+  }
+  return false;
 }
 
 }  // namespace
@@ -165,8 +189,9 @@ TriangleList parse_stl(std::string_view bytes, const std::string& name) {
   // "solid" begins many binary files too; the size tells for certain
   const bool binary_size =
       bytes.size() > header_size && bytes.size() - header_size == announced_facets(bytes) * facet_size;
-  const bool text = bytes.starts_with("solid") || bytes.starts_with("SOLID") || bytes.starts_with("Solid");
-  return text && !binary_size ? parse_text(bytes, name) : parse_binary(bytes, name);
+  if (binary_size || !is_text(bytes)) return parse_binary(bytes, name);
+  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+  return parse_text(bytes, name);
 }
 
 TriangleList read_stl(const std::filesystem::path& file) {

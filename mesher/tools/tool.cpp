@@ -7,8 +7,7 @@
 #include <map>
 
 #include "mesher/base/error.hpp"
-#include "mesher/tools/cad.hpp"
-#include "mesher/tools/stl.hpp"
+#include "mesher/tools/surface_file.hpp"
 #include "mesher/tools/triangle_report.hpp"
 
 namespace weaveform {
@@ -51,12 +50,6 @@ Vector touching_position(const Tool& tool, const BlankSpec& blank) {
   return position;
 }
 
-double millimetres(const std::string& unit) {
-  static const std::map<std::string, double> size = {
-      {"", 1.0}, {"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}};
-  return size.at(unit);
-}
-
 // A blank and its tool are of one size; factors between units are far from that.
 void check_proportion(const TriangleList& list, const ToolSpec& spec, const Scene& scene, const std::string& where) {
   constexpr double farthest = 50.0;
@@ -80,20 +73,29 @@ void check_proportion(const TriangleList& list, const ToolSpec& spec, const Scen
                     where, spec.file, extent, blank));
 }
 
-TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, const std::string& where) {
+// A point, seen from the tool, on the side where the fabric is: the flat blank's centre, or far back along the way in
+// which a blank that starts draped over this tool is projected on it.
+Vector side_of_the_blank(const ToolSpec& spec, const Scene& scene) {
+  Vector point = scene.blank.position;
+  for (int c = 0; c < 3; ++c) point[c] -= spec.position ? (*spec.position)[c] : 0.0;
+  if (!scene.drape || scene.drape->tool != spec.name) return point;
+  constexpr double far = 1e6;  // mm
+  const Vector way = unit(scene.drape->projection);
+  for (int c = 0; c < 3; ++c) point[c] -= far * way[c];
+  return point;
+}
+
+TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, double cell_edge, const std::string& where) {
   const auto file = tool_path(spec.file, scene.file);
-  const bool cad = is_cad_file(file);
-  TriangleList list = cad ? read_cad(file, spec.chord_tolerance).list : read_stl(file);
-  for (auto& point : list.point)
-    for (double& x : point) x *= millimetres(spec.unit);
+  const bool sense_is_ours = surface_kind(file) != SurfaceKind::stl;
+  const double tolerance = spec.chord_tolerance.value_or(chord_per_cell * cell_edge);
+  TriangleList list = read_surface(file, {millimetres_of(spec.unit), tolerance, spec.name}).list;
   if (spec.unit.empty()) check_proportion(list, spec, scene, where);
-  if (cad) {
-    Vector outside = scene.blank.position;  // seen from the tool
-    for (int c = 0; c < 3; ++c) outside[c] -= spec.position ? (*spec.position)[c] : 0.0;
-    list = turned_alike(list, outside);
+  if (sense_is_ours) {
+    list = turned_alike(list, side_of_the_blank(spec, scene));
   }
   if (spec.flip) list = turned_over(std::move(list));
-  if (!cad && turned_inward(list) && !spec.flip)
+  if (!sense_is_ours && turned_inward(list) && !spec.flip)
     throw InputError(
         fmt::format("{} {}: the closed surface has its normals inward, so that its outside would be solid; set "
                     "flip = true, or write it again with its triangles counter-clockwise seen from outside",
@@ -101,7 +103,7 @@ TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, const std::s
   return list;
 }
 
-Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness) {
+Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, double cell_edge) {
   const std::string where = (scene.file.empty() ? "" : scene.file + ": ") + "[tools." + spec.name + "]";
   Tool tool;
   tool.name = spec.name;
@@ -114,7 +116,7 @@ Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness) {
   if (tool.shape == ToolShape::revolved) tool.profile = make_profile(spec.profile, where + " profile");
   if (tool.shape == ToolShape::triangles) {
     tool.start.axis = {0.0, 0.0, 1.0};
-    tool.surface = std::make_shared<TriangleSurface>(triangles_of(spec, scene, where),
+    tool.surface = std::make_shared<TriangleSurface>(triangles_of(spec, scene, cell_edge, where),
                                                      where + " " + tool_path(spec.file, scene.file).string());
   }
   tool.direction = spec.direction ? unit(*spec.direction) : default_direction(tool);
@@ -138,9 +140,14 @@ void triangle_distances(const TriangleSurface& surface, const Placement& place, 
 
 }  // namespace
 
-std::vector<Tool> make_tools(const Scene& scene, double thickness) {
+std::vector<Tool> make_tools(const Scene& scene, const Mesh& mesh) {
+  const double edge = std::min(mesh.spacing[0], mesh.spacing[1]);
+  return make_tools(scene, mesh.thickness, edge > 0.0 ? edge : usual_cell_edge);
+}
+
+std::vector<Tool> make_tools(const Scene& scene, double thickness, double cell_edge) {
   std::vector<Tool> tools;
-  for (const auto& spec : scene.tools) tools.push_back(make_tool(spec, scene, thickness));
+  for (const auto& spec : scene.tools) tools.push_back(make_tool(spec, scene, thickness, cell_edge));
   return tools;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/distance.hpp"
 #include "mesher/tools/triangles.hpp"
@@ -27,9 +28,16 @@ struct Tool {
   double offset = 0.0;                                 // mm; from the fabric's middle plane to its face
 };
 
-// The scene's tools in its order. `thickness` of the fabric (mm) gives the offsets left open. Throws InputError when a
-// profile or surface is none, FileError when a file cannot be read.
-[[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, double thickness);
+// The chord tolerance of CAD that a scene leaves open, for each mm of a cell's shorter edge h. A cell's own edge, laid
+// as a chord over a radius R, misses it by h^2 / 8 R: more than h / 100 wherever R < 12.5 h, so that the tool is the
+// finer of the two wherever it bends the fabric.
+inline constexpr double chord_per_cell = 0.01;
+inline constexpr double usual_cell_edge = 5.0;  // mm; where there is no mesh
+
+// The scene's tools in its order. `thickness` of the fabric (mm) gives the offsets left open, the cells' shorter edge
+// (mm) the chord tolerances. Throws InputError when a profile or surface is none, FileError when a file cannot be read.
+[[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, const Mesh& mesh);
+[[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, double thickness, double cell_edge = usual_cell_edge);
 
 // Signed distances of up to points_at_a_time points from the tool standing at `place`. `hint` holds one number a point,
 // kept from call to call by whoever cares for speed (triangles only; any value gives the same distance).

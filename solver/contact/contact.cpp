@@ -97,7 +97,7 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
     mesh_of_packed_[p] = mesh.shown_node(n);
     blank_mass_ += packed.mass[p];
   }
-  const auto tools = make_tools(scene, mesh.thickness);
+  const auto tools = make_tools(scene, mesh);
   for (std::size_t t = 0; t < tools.size(); ++t) {
     Tool tool = tools[t];
     ToolSpec spec = scene.tools[t];

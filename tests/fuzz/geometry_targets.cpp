@@ -6,6 +6,7 @@
 #include "mesher/import/foreign_mesh.hpp"
 #include "mesher/import/import.hpp"
 #include "mesher/tools/geo_script.hpp"
+#include "mesher/tools/mesh_surface.hpp"
 #include "mesher/tools/profile.hpp"
 #include "mesher/tools/stl.hpp"
 #include "mesher/tools/triangle_report.hpp"
@@ -20,6 +21,7 @@ void foreign(const std::filesystem::path& file) {
   answered([&] {
     const ForeignMesh read = read_foreign_mesh(file);
     static_cast<void>(tool_surface(read, "punch"));
+    answered([&] { static_cast<void>(read_mesh_surface(file, "punch")); });
     answered([&] { static_cast<void>(import_own(read)); });
     answered([&] { static_cast<void>(import_foreign(read, plain_scene(), plain_card())); });
   });

@@ -21,6 +21,7 @@ set(ROBUST_SOURCES
   robust/streams_and_limits_test.cpp
   robust/study_test.cpp
   robust/terminal_test.cpp
+  robust/tool_command_test.cpp
   robust/type_names_test.cpp
   robust/without_end_test.cpp
 )

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -15,6 +16,7 @@
 #include <fstream>
 #include <functional>
 #include <thread>
+#include <vector>
 
 #include "mesher/base/error.hpp"
 #include "tests/support/run_command.hpp"
@@ -40,6 +42,23 @@ TEST(Guarded, ALargeResultComesBackByteForByte) {
   for (std::size_t k = 0; k < bytes.size(); ++k) bytes[k] = static_cast<char>(k * 2654435761U >> 13);
   EXPECT_TRUE(run_guarded(quick(), [&] { return bytes; }) == bytes);
   EXPECT_EQ(run_guarded(quick(), [] { return std::string(); }), "");
+}
+
+TEST(Guarded, TheParentSeesHowFarTheChildIs) {
+  Guard guard = quick();
+  std::vector<double> seen;
+  guard.while_it_works = [&](double fraction) { seen.push_back(fraction); };
+  (void)run_guarded(guard, [] {
+    for (const double fraction : {0.25, 0.75, 7.0}) {
+      guarded_progress(fraction);
+      std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    }
+    return std::string();
+  });
+  const auto saw = [&](double fraction) { return std::find(seen.begin(), seen.end(), fraction) != seen.end(); };
+  EXPECT_TRUE(saw(0.25) && saw(0.75));
+  EXPECT_FALSE(saw(7.0)) << "a child is not believed";
+  guarded_progress(0.5);  // here, where nobody watches
 }
 
 TEST(Guarded, ACrashIsALineThatNamesFileAndSignal) {

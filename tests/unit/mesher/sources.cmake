@@ -32,5 +32,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/tools_cad_test.cpp
   unit/mesher/tools_distance_test.cpp
   unit/mesher/tools_scene_test.cpp
+  unit/mesher/tools_strangers_cad_test.cpp
+  unit/mesher/tools_surface_file_test.cpp
   unit/mesher/vtu_grid_test.cpp
 )

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -55,6 +57,37 @@ TEST(Stl, TextAndBinaryGiveTheSameSurface) {
   EXPECT_EQ(complaint("SOLID X\nFACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX +1e0 0 0 VERTEX 0 1 0 ENDLOOP "
                       "ENDFACET\nENDSOLID"),
             "");
+}
+
+// As old CAD systems, numpy-stl, spreadsheets and people write them.
+TEST(Stl, TextIsReadInAnyCaseOfLettersWithWhateverStandsBeforeSolid) {
+  const std::string sound = "solid a\n" + facet("0 0 0") + facet("10 10 0.5") + "endsolid a\n";
+  const TriangleList wanted = parse_stl(sound, "t.stl");
+  std::string upper = sound, tabs = sound, old_mac = sound, apart = sound;
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  std::replace(tabs.begin(), tabs.end(), ' ', '\t');
+  std::replace(old_mac.begin(), old_mac.end(), '\n', '\r');
+  for (std::size_t at = 0; (at = apart.find("end", at)) != std::string::npos; at += 4) apart.insert(at + 3, 1, ' ');
+  const std::string mark = "\xEF\xBB\xBF", rest = sound.substr(6);
+  std::vector<std::string> variants = {upper, tabs, old_mac, apart, sound + "\n# the end\n"};
+  for (const std::string& begin : {std::string("Solid "), std::string("solid\t"), mark + "solid ",
+                                   mark + "\r\n \r\nSOLID ", std::string("# made by hand\n\n; and looked at\nsolid "),
+                                   std::string("\n\n  \tsolid "), std::string("title: a solid part\nsolid ")})
+    variants.push_back(begin + rest);
+  variants.push_back(sound.substr(0, sound.find("endsolid")) + std::string("ENDSOLID a\n"));
+  for (const std::string& variant : variants) {
+    ASSERT_EQ(complaint(variant), "") << variant.substr(0, 40);
+    EXPECT_EQ(parse_stl(variant, "t.stl").point, wanted.point) << variant.substr(0, 40);
+  }
+}
+
+TEST(Stl, SizeTellsBinaryFromText) {
+  for (const char* begin : {"solid ", "SOLID part\n", "Solid\tx", "# solid\n"}) {
+    std::string bytes = binary({{0, 0, 0, 10, 0, 0, 0, 10, 0}, {10, 10, 0.5, 10, 0, 0, 0, 10, 0}}, 2);
+    std::memcpy(bytes.data(), begin, std::strlen(begin));
+    EXPECT_EQ(parse_stl(bytes, "t.stl").triangle.size(), 2U) << begin;
+    EXPECT_NE(complaint(bytes.substr(0, bytes.size() - 20)).find("announces 2 facets"), std::string::npos) << begin;
+  }
 }
 
 TEST(Stl, CornersThatAreNoPlaceAreRefusedByFacet) {
