@@ -1,19 +1,26 @@
 #include "mesher/export/export.hpp"
 
+#include "mesher/base/error.hpp"
 #include "mesher/export/writers.hpp"
 
 namespace weaveform {
 
 ExportedMesh export_mesh(MeshFormat format, const Scene& scene, const Card& card, const Mesh& mesh, double duration,
-                         const std::string& written_by) {
+                         const std::string& written_by, const ExportOptions& options) {
+  if (options.is_static && format != MeshFormat::calculix)
+    throw InputError("--static goes with --format calculix; the other formats write the motion over its duration");
+  if (options.materials == Materials::user && (format == MeshFormat::calculix || format == MeshFormat::gmsh))
+    throw InputError("--materials user goes with --format abaqus, lsdyna and openradioss");
   const foreign::Gathered model = foreign::gather(scene, card, mesh, duration, written_by);
   switch (format) {
     case MeshFormat::abaqus:
       return foreign::write_abaqus(model);
+    case MeshFormat::calculix:
+      return foreign::write_calculix(model, options.is_static);
     case MeshFormat::lsdyna:
-      return foreign::write_lsdyna(model);
+      return foreign::write_lsdyna(model, options.materials);
     case MeshFormat::openradioss:
-      return foreign::write_openradioss(model);
+      return foreign::write_openradioss(model, options.materials, options.run_name);
     case MeshFormat::gmsh:
       break;
   }

@@ -251,7 +251,7 @@ void add_tools(const Gathered& model, std::vector<std::string>& lost, std::strin
 
 }  // namespace
 
-ExportedMesh write_lsdyna(const Gathered& model) {
+ExportedMesh write_lsdyna(const Gathered& model, Materials /*materials*/) {
   ExportedMesh result{"", model.not_carried};
   auto& lost = result.not_carried;
   lost.push_back("rounding: coordinates have 16 characters, other numbers 10");
