@@ -108,7 +108,7 @@ CellSprings cell_springs(const Gathered& model) {
 Points spring_points(const Gathered& model, const CellSpringGroup& group, std::size_t most) {
   const double squares = group.along * group.along + group.across * group.across;
   const double product = group.along * group.across;
-  std::vector<double> knots = cell_knots(model, std::clamp(model.card.shear.valid_to_deg + 15.0, 75.0, 85.0));
+  std::vector<double> knots = cell_knots(model, far_angle(model));
   if (product < 0.0) std::reverse(knots.begin(), knots.end());
   for (double& knot : knots) knot = std::sqrt(std::max(0.0, squares + 2.0 * product * knot)) - group.start;
   const auto law = [&](double elongation) {

@@ -152,6 +152,40 @@ Points yarn_points(const Gathered& model, std::size_t family) {
   return points_of(law, knots, 1e-10 * yarn_stiffness(model, family));
 }
 
+double fibre_modulus(const Gathered& model) {
+  constexpr double share = 1e-3;
+  return std::max(1e-6, share * std::abs(shear_tangent(model.card.shear, 0.0)));
+}
+
+HoldingSpring holding_spring(const Gathered& model) {
+  const double spacing = std::min(model.mesh.spacing[0], model.mesh.spacing[1]);
+  double stiffness = 0.0, square_of_step = 0.0;
+  for (const auto& group : model.yarns) {
+    const double modulus = yarn_stiffness(model, group.family);
+    stiffness = std::max(stiffness, group.section * modulus / spacing);
+    square_of_step = std::max(square_of_step, 4.0 * model.yarn_density(group.family) * spacing * spacing / modulus);
+  }
+  if (!model.members.empty())
+    stiffness = std::max(stiffness, model.scene.frame->modulus * model.member_section() / model.scene.frame->length);
+  return {stiffness, stiffness * square_of_step * model.scene.analysis.mass_scale};
+}
+
+double contact_stiffness(const Gathered& model) {
+  constexpr double share = 0.05;
+  double stiffest = 0.0;
+  for (const auto& group : model.yarns)
+    stiffest = std::max(stiffest, group.section * yarn_stiffness(model, group.family) /
+                                      std::min(model.mesh.spacing[0], model.mesh.spacing[1]));
+  return share * 4.0 * stiffest;
+}
+
+double tool_mass(const Gathered& model, const ToolMotion& motion) {
+  if (motion.spec->mass) return *motion.spec->mass;
+  double mass = 0.0;
+  for (const double m : model.mesh.nodes.mass) mass += m;
+  return mass * model.scene.analysis.mass_scale;
+}
+
 double cell_stress(const Gathered& model, double sine) {
   const double s = std::clamp(sine, -1.0 + 1e-12, 1.0 - 1e-12);
   return volume_share(model, s) * shear_stress(model.card.shear, std::atanh(s));
@@ -174,9 +208,13 @@ Points cell_points_by_angle(const Gathered& model) {
   return points_of(law, knots, 1e-5 * std::abs(law(30.0)));
 }
 
-Points cell_points_by_sine(const Gathered& model) {
+double far_angle(const Gathered& model) {
+  return std::clamp(model.card.shear.valid_to_deg + 15.0, 75.0, 85.0);
+}
+
+Points cell_points_by_sine(const Gathered& model, double greatest) {
   const auto law = [&](double sine) { return cell_stress(model, sine); };
-  return points_of(law, cell_knots(model, greatest_angle), 1e-5 * std::abs(law(0.5)));
+  return points_of(law, cell_knots(model, greatest), 1e-5 * std::abs(law(0.5)));
 }
 
 Points member_points(double modulus) {

@@ -53,14 +53,31 @@ inline constexpr double table_error = 2e-5;
 // f over x, from half the length on.
 [[nodiscard]] Points yarn_points(const Gathered& model, std::size_t family);
 
+// MPa; of a fabric law's own fibres: the yarns beside the cells bear tension, yet a modulus of zero is none. A
+// thousandth of the shear law's initial modulus.
+[[nodiscard]] double fibre_modulus(const Gathered& model);
+
 // S12 above at s = sin gamma (MPa).
 [[nodiscard]] double cell_stress(const Gathered& model, double sine);
 // t (MPa) over gamma in degrees, from -89 to 89.
 [[nodiscard]] Points cell_points_by_angle(const Gathered& model);
-// S12 over s, from -sin 89 to sin 89 deg.
-[[nodiscard]] Points cell_points_by_sine(const Gathered& model);
+// S12 over s, between the sines of -greatest and greatest (deg).
+[[nodiscard]] Points cell_points_by_sine(const Gathered& model, double greatest);
+// deg; the shear angle that short tables go to: 15 beyond the card's, from 75 to 85.
+[[nodiscard]] double far_angle(const Gathered& model);
 // Sines of shear angles at which the law has corners, between those of -greatest and greatest (deg).
 [[nodiscard]] std::vector<double> cell_knots(const Gathered& model, double greatest);
+
+// N/mm and tonne; of springs that hold a node in its place, as stiff as the stiffest yarn element or frame
+// member, and so heavy that they ask for no shorter step than the yarns do.
+struct HoldingSpring {
+  double stiffness = 0.0, mass = 0.0;
+};
+[[nodiscard]] HoldingSpring holding_spring(const Gathered& model);
+// N/mm; of a node's contact, as in Weaveform: a twentieth of what the yarn elements about it have together.
+[[nodiscard]] double contact_stiffness(const Gathered& model);
+// tonne; of a tool that the scene gives no mass: the blank's.
+[[nodiscard]] double tool_mass(const Gathered& model, const ToolMotion& motion);
 
 // A frame's member: N = E A ln(L/L0) L0/L over x, for A = 1 mm^2.
 [[nodiscard]] Points member_points(double modulus);

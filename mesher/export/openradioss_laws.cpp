@@ -11,14 +11,6 @@ namespace weaveform::foreign::radioss {
 
 namespace {
 
-// What the fabric law's own fibres get of the shear law's initial modulus: the yarns beside the cells bear tension, yet
-// a modulus of zero is none.
-constexpr double fibre_share = 1e-3;
-
-double fibre_modulus(const Gathered& model) {
-  return std::max(1e-6, fibre_share * std::abs(shear_tangent(model.card.shear, 0.0)));
-}
-
 // /PROP/TYPE4 with Ileng = 1: mass and stiffness a length, a curve over L/L0 - 1. The curve is a stress, and field A
 // its factor, the section. `stretch` is the factor on the curve's abscissa (a yarn's reach into a jaw).
 void add_spring(int id, const std::string& title, double section, double mass_per_length, double modulus,
@@ -34,20 +26,8 @@ void add_spring(int id, const std::string& title, double section, double mass_pe
          r20(stretch) + r20(0.0) + "\n";
 }
 
-// As stiff as the stiffest yarn element or frame member, and so heavy that it asks for no shorter step than they do.
 void add_follower_spring(const Deck& deck, std::string& out) {
-  const Gathered& model = deck.model;
-  const double spacing = std::min(model.mesh.spacing[0], model.mesh.spacing[1]);
-  double stiffness = 0.0, mass_over_stiffness = 0.0;
-  for (const auto& group : model.yarns) {
-    const double modulus = yarn_stiffness(model, group.family);
-    stiffness = std::max(stiffness, group.section * modulus / spacing);
-    mass_over_stiffness =
-        std::max(mass_over_stiffness, 4.0 * model.yarn_density(group.family) * spacing * spacing / modulus);
-  }
-  if (!model.members.empty())
-    stiffness = std::max(stiffness, model.scene.frame->modulus * model.member_section() / model.scene.frame->length);
-  const double mass = stiffness * mass_over_stiffness * model.scene.analysis.mass_scale;
+  const auto [stiffness, mass] = holding_spring(deck.model);
   out += fmt::format("/PROP/SPR_GENE/{}\nfollowers\n", deck.follower_part());
   out += "#               Mass             Inertia   skew_ID   sens_ID    Isflag     Ifail   Ifail2     Iequil\n" +
          r20(mass) + r20(mass) + i10(0) + i10(0) + i10(0) + i10(0) + i10(0) + i10(0) + "\n";

@@ -10,22 +10,6 @@ namespace weaveform::foreign::radioss {
 
 namespace {
 
-// Stiffness of a node's contact (N/mm), as in Weaveform: a twentieth of what the yarn elements about it have together.
-double contact_stiffness(const Gathered& model) {
-  constexpr double share = 0.05;
-  double stiffest = 0.0;
-  for (const auto& group : model.yarns)
-    stiffest = std::max(stiffest, group.section * yarn_stiffness(model, group.family) /
-                                      std::min(model.mesh.spacing[0], model.mesh.spacing[1]));
-  return share * 4.0 * stiffest;
-}
-
-double blank_mass(const Gathered& model) {
-  double mass = 0.0;
-  for (const double m : model.mesh.nodes.mass) mass += m;
-  return mass * model.scene.analysis.mass_scale;
-}
-
 void add_way(int function, const std::string& title, double duration, const ToolSpec* tool, std::string& out) {
   Points points;
   for (int k = 0; k <= 100; ++k)
@@ -85,7 +69,7 @@ void add_weight(const Deck& deck, int& id, std::string& out) {
 void add_body(const Deck& deck, std::size_t k, std::string& out) {
   const ToolMotion& motion = deck.model.tools[k];
   const int id = static_cast<int>(k) + 1;
-  const double mass = motion.spec->mass.value_or(blank_mass(deck.model));
+  const double mass = tool_mass(deck.model, motion);
   const double reach = 100.0;  // mm; of a turning that nothing asks for
   out += fmt::format("/RBODY/{}\n{}\n", id, motion.tool.name);
   out += "#  node_ID   sens_ID   Skew_ID    Ispher                Mass   grnd_ID     Ikrem      ICoG   surf_ID\n" +
