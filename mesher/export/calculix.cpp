@@ -10,6 +10,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/export/cell_springs.hpp"
 #include "mesher/export/laws.hpp"
+#include "mesher/export/ties.hpp"
 #include "mesher/export/writers.hpp"
 
 namespace weaveform::foreign {
@@ -150,6 +151,29 @@ void add_members(const Gathered& model, int& element, std::string& out) {
   add_law("FRAME", points, out);
 }
 
+// CalculiX counts a tie's force to no node, so that the reaction of a held node lacked it: held nodes hold followers by
+// springs, which it does count.
+void add_followers(const Gathered& model, const FreeTies& ties, int first, int& element, std::string& out) {
+  if (ties.follower.empty()) return;
+  out += "** Followers of held nodes, to which ties refer\n";
+  int number = first;
+  for (const int n : ties.follower) {
+    const auto& x = model.mesh.nodes.position[n];
+    out += fmt::format("*NODE\n{}, {}, {}, {}\n", number++, num(x[0]), num(x[1]), num(x[2]));
+  }
+  const auto [stiffness, mass] = holding_spring(model);
+  for (int c = 1; c <= 3; ++c) {
+    out += fmt::format("*ELEMENT, TYPE=SPRING2, ELSET=FOLLOW_{}\n", c);
+    for (std::size_t k = 0; k < ties.follower.size(); ++k)
+      out += fmt::format("{}, {}, {}\n", ++element, ties.follower[k] + 1, first + static_cast<int>(k));
+    out += fmt::format("*SPRING, ELSET=FOLLOW_{0}\n{0}, {0}\n{1}\n", c, num(stiffness));
+  }
+  out += "*ELEMENT, TYPE=MASS, ELSET=FOLLOWERS\n";
+  for (std::size_t k = 0; k < ties.follower.size(); ++k)
+    out += fmt::format("{}, {}\n", ++element, first + static_cast<int>(k));
+  out += fmt::format("*MASS, ELSET=FOLLOWERS\n{}\n", num(0.5 * mass));
+}
+
 std::vector<char> tied_nodes(const Mesh& mesh) {
   std::vector<char> tied(mesh.node_count(), 0);
   for (const auto& tie : mesh.tie) tied[tie.node] = 1;
@@ -185,11 +209,14 @@ void add_masses(const Gathered& model, int& element, std::string& out) {
 }
 
 // x - (1 - share) x_a - share x_b = 0, which holds in displacements at any deformation, as it is linear.
-void add_ties(const Mesh& mesh, std::string& out) {
-  for (const auto& tie : mesh.tie)
+void add_ties(const Mesh& mesh, const FreeTies& ties, int first_follower, std::string& out) {
+  const auto number = [&](int node) {
+    return node < mesh.node_count() ? node + 1 : first_follower + node - mesh.node_count();
+  };
+  for (const auto& tie : ties.tie)
     for (int c = 1; c <= 3; ++c)
-      out += fmt::format("*EQUATION\n3\n{0}, {1}, 1., {2}, {1}, {3}, {4}, {1}, {5}\n", tie.node + 1, c, tie.to[0] + 1,
-                         num(tie.share - 1.0), tie.to[1] + 1, num(-tie.share));
+      out += fmt::format("*EQUATION\n3\n{0}, {1}, 1., {2}, {1}, {3}, {4}, {1}, {5}\n", tie.node + 1, c,
+                         number(tie.to[0]), num(tie.share - 1.0), number(tie.to[1]), num(-tie.share));
 }
 
 // CalculiX knows amplitudes as tables only.
@@ -279,6 +306,7 @@ ExportedMesh write_calculix(const Gathered& model, bool is_static) {
     if (line.rfind("jaws:", 0) != 0 && line.rfind("masses:", 0) != 0 && line.rfind("areas:", 0) != 0 &&
         line.rfind("cut cells:", 0) != 0 && line.rfind("draped start:", 0) != 0 && line.rfind("softening:", 0) != 0)
       lost.push_back(line);
+  list_frame(model, lost);
   list_losses(model, lost);
   std::string body = "*HEADING\nWoven fabric: yarns and shear cells as springs\n";
   add_nodes(model.mesh, body);
@@ -290,6 +318,9 @@ ExportedMesh write_calculix(const Gathered& model, bool is_static) {
   const CellSprings springs = cell_springs(model);
   add_cells(model, springs, element, body);
   add_members(model, element, body);
+  const FreeTies ties = free_ties(model);
+  const int first_follower = model.mesh.node_count() + static_cast<int>(springs.mirrored.size()) + 1;
+  add_followers(model, ties, first_follower, element, body);
   if (!is_static) add_masses(model, element, body);
   for (const auto& set : model.sets) add_node_set(set.name, set.node, body);
   const auto tied = tied_nodes(model.mesh);
@@ -297,7 +328,7 @@ ExportedMesh write_calculix(const Gathered& model, bool is_static) {
   for (int n = 0; n < model.mesh.node_count(); ++n)
     if (!tied[n]) untied.push_back(n);
   add_node_set("UNTIED", untied, body);
-  add_ties(model.mesh, body);
+  add_ties(model.mesh, ties, first_follower, body);
   add_mirrored_ties(model.mesh, springs, body);
   if (!is_static) add_smooth_step(model.duration, body);
   add_step(model, is_static, body);

@@ -1,5 +1,7 @@
 #include "mesher/export/export.hpp"
 
+#include <array>
+
 #include "mesher/base/error.hpp"
 #include "mesher/export/writers.hpp"
 
@@ -11,7 +13,7 @@ ExportedMesh export_mesh(MeshFormat format, const Scene& scene, const Card& card
     throw InputError("--static goes with --format calculix; the other formats write the motion over its duration");
   if (options.materials == Materials::user && (format == MeshFormat::calculix || format == MeshFormat::gmsh))
     throw InputError("--materials user goes with --format abaqus, lsdyna and openradioss");
-  const foreign::Gathered model = foreign::gather(scene, card, mesh, duration, written_by);
+  foreign::Gathered model = foreign::gather(scene, card, mesh, duration, written_by);
   switch (format) {
     case MeshFormat::abaqus:
       return foreign::write_abaqus(model);
@@ -24,6 +26,9 @@ ExportedMesh export_mesh(MeshFormat format, const Scene& scene, const Card& card
     case MeshFormat::gmsh:
       break;
   }
+  if (mesh.frame.present()) model.not_carried.push_back("shear frame: its members are not written");
+  if (scene.analysis.gravity != std::array<double, 3>{0.0, 0.0, 0.0})
+    model.not_carried.push_back("analysis.gravity is not written");
   return foreign::write_gmsh(model);
 }
 

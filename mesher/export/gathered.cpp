@@ -163,15 +163,6 @@ void list_mesh(const Mesh& mesh, std::vector<std::string>& lines) {
         "its angles for unstrained, and the flat blank is lost");
 }
 
-void list_frame(const Scene& scene, const Mesh& mesh, std::vector<std::string>& lines) {
-  if (!mesh.frame.present()) return;
-  lines.push_back(
-      "shear frame: its members are single elements pinned at the corners (node set frame_corners), with the stiffness "
-      "and mass of [frame]; what they weigh lies in the corners");
-  if (scene.frame && scene.frame->rigid)
-    lines.push_back("frame.rigid: the members stretch by the modulus and section of [frame]");
-}
-
 void list_scene(const Scene& scene, std::vector<std::string>& lines) {
   if (scene.model.cell == "side-frame")
     lines.push_back(
@@ -244,7 +235,6 @@ Gathered gather(const Scene& scene, const Card& card, const Mesh& mesh, double d
   const double angle = scene.blank.yarn_angle + scene.blank.orientation;
   model.direction = {turned({1.0, 0.0, 0.0}, angle), turned({0.0, 1.0, 0.0}, angle)};
   list_mesh(mesh, model.not_carried);
-  list_frame(scene, mesh, model.not_carried);
   list_scene(scene, model.not_carried);
   model.sets = mesh.sets;
   gather_grips(scene, model);
@@ -301,6 +291,28 @@ std::vector<Constant> shear_constants(const Gathered& model) {
   add_pieces(shear.tangent, "shear", "logarithmic shear strain atanh(sin gamma); contravariant stress is its integral",
              constants);
   return constants;
+}
+
+void list_frame(const Gathered& model, std::vector<std::string>& lost) {
+  if (model.members.empty()) return;
+  lost.push_back(
+      "shear frame: its members are single elements pinned at the corners (node set frame_corners), with the stiffness "
+      "and mass of [frame]; the base (frame_base) stays and the pulled corner moves");
+  if (model.scene.frame->rigid)
+    lost.push_back("frame.rigid: the members stretch by the modulus and section of [frame]");
+}
+
+void list_user_materials(const Gathered& model, std::vector<std::string>& lost) {
+  const ModelSpec& spec = model.scene.model;
+  lost.push_back(
+      "formulation: cell forces come from the other code's own element and a user material that has to be supplied; "
+      "the constants say what it must do");
+  if (spec.yarn_law != "card")
+    lost.push_back(
+        fmt::format("model.yarn_law = \"{}\": the constants are those of the card's own law", spec.yarn_law));
+  lost.push_back(
+      "jaws and softening: elements in a grip's jaws are written without them and so stiffer; softened ends "
+      "weigh less by their smaller section");
 }
 
 double smooth_way(double s) {

@@ -93,6 +93,10 @@ struct Constant {
 // Tension law of a family: flags, compression, then piece by piece.
 [[nodiscard]] std::vector<Constant> yarn_constants(const Gathered& model, std::size_t family);
 [[nodiscard]] std::vector<Constant> shear_constants(const Gathered& model);
+// How a shear frame is written by the formats that write it.
+void list_frame(const Gathered& model, std::vector<std::string>& lost);
+// What user materials leave to their routine, and what their constants do not say.
+void list_user_materials(const Gathered& model, std::vector<std::string>& lost);
 // Way of a grip or tool as a part of its travel at a part s in [0, 1] of the duration.
 [[nodiscard]] double smooth_way(double s);
 [[nodiscard]] double tool_way(const ToolSpec& tool, double s);

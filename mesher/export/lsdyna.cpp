@@ -64,7 +64,7 @@ std::vector<YarnPart> yarn_parts(const Gathered& model, YarnElement element) {
 void add_curve(int curve, const std::string& what, const Points& points, std::string& out) {
   out += fmt::format("$ {}\n*DEFINE_CURVE\n", what);
   Card10(out).i(curve).i(0).r(1.0).r(1.0).r(0.0).r(0.0);
-  for (const auto& [x, y] : points) out += fmt::format("{:>20}{:>20}\n", fit(x, 20), fit(y, 20));
+  for (const auto& [x, y] : points) out += fmt::format("{:>20}{:>20}\n", fit(x, 19), fit(y, 19));
 }
 
 namespace {
@@ -246,8 +246,12 @@ ExportedMesh write_lsdyna(const Gathered& model, Materials materials) {
     deck.tool.push_back(lsdyna::is_rigid_wall(motion) ? ToolMesh{} : mesh_of_tool(model, motion));
   ExportedMesh result{"", model.not_carried, ""};
   auto& lost = result.not_carried;
+  list_frame(model, lost);
   lost.push_back("rounding: coordinates have 16 characters, other numbers 10");
-  if (materials == Materials::built_in) lsdyna::list_built_in(deck, lost);
+  if (materials == Materials::built_in)
+    lsdyna::list_built_in(deck, lost);
+  else
+    list_user_materials(model, lost);
   if (!model.mesh.tie.empty())
     lost.push_back(
         fmt::format("ties: written as *CONSTRAINED_LINEAR_GLOBAL between displacements; {} nodes of grips "

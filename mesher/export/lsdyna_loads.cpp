@@ -168,7 +168,7 @@ void add_control(const Deck& deck, std::string& out) {
   out += "*CONTROL_TIMESTEP\n$#   dtinit    tssfac\n";
   Card10(out).r(0.0).r(model.scene.analysis.step_factor);
   // curves of materials are read again at lcint even steps, by themselves 100
-  out += "*CONTROL_SOLUTION\n$#     soln       nlq     isnan     lcint\n";
+  out += "*CONTROL_SOLUTION\n$#     soln       nlq               lcint\n";
   Card10(out).i(0).i(0).i(0).i(2001);
   out += "*DATABASE_BINARY_D3PLOT\n";
   Card10(out).r(every(model.scene.output.frames));

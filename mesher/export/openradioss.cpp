@@ -166,6 +166,7 @@ void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
 }
 
 void list_user(const Deck& deck, std::vector<std::string>& lost) {
+  list_user_materials(deck.model, lost);
   lost.push_back(
       "materials: /MAT/USER1 takes a routine of yours, linked to starter and engine; its constants say what it must "
       "do");
@@ -185,6 +186,7 @@ ExportedMesh write_openradioss(const Gathered& model, Materials materials, const
   ExportedMesh result{"", {}, ""};
   auto& lost = result.not_carried;
   lost = model.not_carried;
+  list_frame(model, lost);
   if (materials == Materials::built_in)
     radioss::list_built_in(deck, lost);
   else
