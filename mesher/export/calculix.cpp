@@ -82,7 +82,7 @@ Points force_of(const YarnGroup& group, const SameYarns& yarns, const Gathered& 
   std::vector<double> knots = yarn_knots(model, group.family, std::log1p(-0.25 / group.jaw_stretch));
   for (double& knot : knots) knot = std::expm1(knot);
   const auto law = [&](double x) { return group.section * yarn_force_per_section(model, group.family, x); };
-  Points points = fitted_points(law, knots, 1e-9 * group.section * yarn_stiffness(model, group.family), most_points);
+  Points points = fitted_points(law, knots, 1e-11 * group.section * yarn_stiffness(model, group.family), most_points);
   for (auto& point : points) point[0] = yarns.rest * (1.0 + point[0] * group.jaw_stretch) - yarns.start;
   return points;
 }
@@ -253,14 +253,16 @@ void add_step(const Gathered& model, bool is_static, std::string& out) {
     out += "** The fabric stays in its plane\n*BOUNDARY\nUNTIED, 3, 3, 0.\n";
   } else {
     const double duration = model.duration;
-    out += fmt::format("*STEP, NLGEOM, INC=1000000\n*DYNAMIC\n{}, {}, {}, {}\n", num(duration / 1000.0), num(duration),
-                       num(duration * 1e-9), num(duration / 200.0));
+    out += fmt::format("*STEP, NLGEOM, INC=1000000\n*DYNAMIC, ALPHA=-0.3\n{}, {}, {}, {}\n", num(duration / 1000.0),
+                       num(duration), num(duration * 1e-9), num(duration / 200.0));
   }
   add_motions(model, is_static, out);
   add_weight(model, out);
   for (const auto& grip : model.grips)
     out += fmt::format("*NODE PRINT, NSET={}, TOTALS=ONLY\nRF\n", plain_name(grip.set));
-  out += "*NODE PRINT, NSET=ALL_NODES, FREQUENCY=10000\nU\n*NODE FILE\nU, RF\n*END STEP\n";
+  // one frequency holds for all prints of a step; the last increment is always printed
+  out += fmt::format("*NODE PRINT, NSET=ALL_NODES, FREQUENCY={0}\nU\n*NODE FILE, FREQUENCY={0}\nU, RF\n*END STEP\n",
+                     is_static ? 10000 : 10);
 }
 
 void require_plane(const Gathered& model) {

@@ -19,6 +19,7 @@ struct Pair {
   int mirror = -1;  // >= 0: the first of the two is mirrored in this node
   double along = 0.0, across = 0.0;
   [[nodiscard]] double product() const { return along * across; }
+  [[nodiscard]] double ratio() const { return product() / (along * along + across * across); }
 };
 
 double dot(const Point& a, const Point& direction) {
@@ -64,16 +65,17 @@ std::array<Pair, 2> best_pairs(const Gathered& model, int cell) {
   return best;
 }
 
-void add_spring(const Pair& pair, std::array<int, 2> node, double volume, double start, CellSprings& springs) {
+void add_spring(const Pair& pair, std::array<int, 2> node, double tilt, double volume, double start,
+                CellSprings& springs) {
   const auto agree = [](double a, double b) { return std::abs(a - b) <= 1e-8 * std::abs(b); };
   for (auto& group : springs.group) {
     const bool same_law = agree(pair.product(), group.along * group.across) &&
                           agree(std::hypot(pair.along, pair.across), std::hypot(group.along, group.across));
-    if (!same_law || !agree(volume, group.volume) || !agree(start, group.start)) continue;
+    if (!same_law || !agree(tilt, group.tilt) || !agree(volume, group.volume) || !agree(start, group.start)) continue;
     group.node.push_back(node);
     return;
   }
-  springs.group.push_back({pair.along, pair.across, volume, start, {node}});
+  springs.group.push_back({pair.along, pair.across, tilt, volume, start, {node}});
 }
 
 }  // namespace
@@ -83,8 +85,10 @@ CellSprings cell_springs(const Gathered& model) {
   const auto& x = mesh.nodes.position;
   CellSprings springs;
   std::map<std::array<int, 2>, int> number;  // of a mirrored node, by (through, of)
-  for (int cell = 0; cell < mesh.cells.size(); ++cell)
-    for (const Pair& pair : best_pairs(model, cell)) {
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const auto pairs = best_pairs(model, cell);
+    const double size = 0.5 * (std::abs(pairs[0].ratio()) + std::abs(pairs[1].ratio()));
+    for (const Pair& pair : pairs) {
       if (pair.product() == 0.0)
         throw InputError(
             fmt::format("cell {}: none of its nodes lie across it, so that springs cannot carry its "
@@ -100,8 +104,10 @@ CellSprings cell_springs(const Gathered& model) {
         node[0] = found->second;
       }
       const Point way = between(first, x[node[1]]);
-      add_spring(pair, node, mesh.cells.area[cell] * mesh.thickness, std::hypot(way[0], way[1], way[2]), springs);
+      add_spring(pair, node, std::copysign(size, pair.product()), mesh.cells.area[cell] * mesh.thickness,
+                 std::hypot(way[0], way[1], way[2]), springs);
     }
+  }
   return springs;
 }
 
@@ -114,7 +120,7 @@ Points spring_points(const Gathered& model, const CellSpringGroup& group, std::s
   const auto law = [&](double elongation) {
     const double d = group.start + elongation;
     const double sine = (d * d - squares) / (2.0 * product);
-    const double share = 0.5 - sine * product / squares;
+    const double share = 0.5 - group.tilt * sine;
     return group.volume * share * cell_stress(model, sine) * d / product;
   };
   const double typical = group.volume * std::abs(cell_stress(model, 0.5)) * std::sqrt(squares) / std::abs(product);

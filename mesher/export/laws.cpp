@@ -149,7 +149,7 @@ Points yarn_points(const Gathered& model, std::size_t family) {
   std::vector<double> knots = yarn_knots(model, family, shortest_strain);
   for (double& knot : knots) knot = std::expm1(knot);
   const auto law = [&](double x) { return yarn_force_per_section(model, family, x); };
-  return points_of(law, knots, 1e-10 * yarn_stiffness(model, family));
+  return points_of(law, knots, 1e-11 * yarn_stiffness(model, family));
 }
 
 double fibre_modulus(const Gathered& model) {

@@ -224,6 +224,10 @@ void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
     lost.push_back(
         "yarns: beams are linear, with the card's linear modulus and the same in compression; decrimping, slack, "
         "jaws and a bending law beyond its initial stiffness are lost; bending is right (I = EI/E)");
+  if (deck.yarn_element() == YarnElement::seatbelt)
+    lost.push_back(
+        "yarns: seatbelts with the tension law's curve of 100 points; jaws are lost, so that the elements in "
+        "them are stiffer");
   if (deck.yarn_element() == YarnElement::seatbelt && spec.partner == "compression")
     lost.push_back("model.partner = \"compression\": a seatbelt carries tension only; the partner is not written");
   lost.push_back(

@@ -38,7 +38,7 @@ Points spring_curve(const Gathered& model, const YarnPart& part) {
   std::vector<double> knots = yarn_knots(model, part.group->family, std::log1p(-0.25 / stretch));
   for (double& knot : knots) knot = std::expm1(knot);
   const auto law = [&](double x) { return yarn_force_per_section(model, part.group->family, x); };
-  Points points = points_of(law, knots, 1e-10 * yarn_stiffness(model, part.group->family));
+  Points points = points_of(law, knots, 1e-11 * yarn_stiffness(model, part.group->family));
   for (auto& point : points) point[0] *= part.rest * stretch;
   return points;
 }
@@ -132,7 +132,7 @@ void add_seatbelt_materials(const Deck& deck, std::string& out) {
     Points curve;
     for (int k = 0; k <= points; ++k) {
       const double x = greatest * k / points;
-      curve.push_back({x, group.section * yarn_force_per_section(model, group.family, x / group.jaw_stretch)});
+      curve.push_back({x, group.section * yarn_force_per_section(model, group.family, x)});
     }
     add_curve(id, fmt::format("force (N) by engineering strain of {}, from the card's tension law", group.name), curve,
               out);
