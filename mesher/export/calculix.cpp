@@ -249,12 +249,12 @@ void add_weight(const Gathered& model, std::string& out) {
 
 void add_step(const Gathered& model, bool is_static, std::string& out) {
   if (is_static) {
-    out += "*STEP, NLGEOM, INC=10000\n*STATIC\n0.02, 1., 1e-7, 0.02\n";
+    out += "*STEP, NLGEOM, INC=10000\n*STATIC\n0.02, 1., 1e-6, 0.02\n";
     out += "** The fabric stays in its plane\n*BOUNDARY\nUNTIED, 3, 3, 0.\n";
   } else {
     const double duration = model.duration;
     out += fmt::format("*STEP, NLGEOM, INC=1000000\n*DYNAMIC, ALPHA=-0.3\n{}, {}, {}, {}\n", num(duration / 1000.0),
-                       num(duration), num(duration * 1e-9), num(duration / 200.0));
+                       num(duration), num(duration * 2e-6), num(duration / 200.0));
   }
   add_motions(model, is_static, out);
   add_weight(model, out);
