@@ -9,7 +9,6 @@ namespace weaveform::foreign {
 namespace {
 
 constexpr double shortest_strain = -0.69, longest_strain = 0.1;
-constexpr double greatest_angle = 89.0;  // deg
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
@@ -199,8 +198,26 @@ std::vector<double> cell_knots(const Gathered& model, double greatest) {
   return tidy(knots, -most, most);
 }
 
-Points cell_points_by_angle(const Gathered& model) {
-  std::vector<double> knots = cell_knots(model, greatest_angle);
+double make_rising(Points& points, double within) {
+  const auto origin = std::find_if(points.begin(), points.end(), [](const auto& point) { return point[0] >= 0.0; });
+  const auto middle = static_cast<std::size_t>(origin - points.begin());
+  double steepest = 0.0, greatest = 0.0;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    steepest = std::max(steepest, (points[k][1] - points[k - 1][1]) / (points[k][0] - points[k - 1][0]));
+  const double least = 1e-6 * steepest;
+  const auto keep = [&](std::size_t k, std::size_t inner, double sign) {
+    const double bound = points[inner][1] + least * (points[k][0] - points[inner][0]);
+    if (sign * (points[k][1] - bound) >= 0.0) return;
+    if (std::abs(points[k][0]) <= within) greatest = std::max(greatest, std::abs(bound - points[k][1]));
+    points[k][1] = bound;
+  };
+  for (std::size_t k = middle + 1; k < points.size(); ++k) keep(k, k - 1, 1.0);
+  for (std::size_t k = middle; k > 0; --k) keep(k - 1, k, -1.0);
+  return greatest;
+}
+
+Points cell_points_by_angle(const Gathered& model, double greatest) {
+  std::vector<double> knots = cell_knots(model, greatest);
   for (double& knot : knots) knot = std::asin(knot) / radians(1.0);
   const auto law = [&](double degrees) {
     return std::cos(radians(degrees)) * cell_stress(model, std::sin(radians(degrees)));

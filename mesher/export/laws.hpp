@@ -59,8 +59,11 @@ inline constexpr double table_error = 2e-5;
 
 // S12 above at s = sin gamma (MPa).
 [[nodiscard]] double cell_stress(const Gathered& model, double sine);
-// t (MPa) over gamma in degrees, from -89 to 89.
-[[nodiscard]] Points cell_points_by_angle(const Gathered& model);
+// t (MPa) over gamma, between -greatest and greatest (deg).
+[[nodiscard]] Points cell_points_by_angle(const Gathered& model, double greatest);
+// Raises and lowers points away from the origin until the curve rises throughout, for codes that refuse one that does
+// not. Returns the greatest change at abscissae up to `within`.
+double make_rising(Points& points, double within);
 // S12 over s, between the sines of -greatest and greatest (deg).
 [[nodiscard]] Points cell_points_by_sine(const Gathered& model, double greatest);
 // deg; the shear angle that short tables go to: 15 beyond the card's, from 75 to 85.

@@ -56,6 +56,10 @@ struct Deck {
   }
 };
 
+// t over the angle to 85 deg, made to rise throughout: the starter refuses a fabric whose shear curve falls anywhere
+// (error 1583, mat058/law58_upd.F). `changed` is what that took at angles that the card's law is meant for.
+[[nodiscard]] Points shear_points(const Gathered& model, double& changed);
+
 void add_points(int function, const std::string& title, const Points& points, std::string& out);
 void add_group(int group, const std::string& title, const std::vector<int>& numbers, std::string& out);
 

@@ -228,6 +228,13 @@ void add_materials(const Deck& deck, std::string& out) {
   if (!deck.tool.empty()) add_elastic(rigid, "tools", 1e-15, 210000.0, 0.3, out);  // they weigh what their body says
 }
 
+Points shear_points(const Gathered& model, double& changed) {
+  constexpr double greatest = 85.0;
+  Points points = cell_points_by_angle(model, greatest);
+  changed = make_rising(points, model.card.shear.valid_to_deg);
+  return points;
+}
+
 void add_law_functions(const Deck& deck, std::string& out) {
   const Gathered& model = deck.model;
   if (deck.yarns_are_springs())
@@ -235,8 +242,9 @@ void add_law_functions(const Deck& deck, std::string& out) {
       add_points(warp_law + static_cast<int>(f),
                  fmt::format("stress of {} s(e) L0/L (MPa) over L/L0 - 1", f == 0 ? "warp" : "weft"),
                  yarn_points(model, f), out);
+  double changed = 0.0;
   if (deck.materials == Materials::built_in)
-    add_points(shear_law, "shear stress t (MPa) over the shear angle (deg)", cell_points_by_angle(model), out);
+    add_points(shear_law, "shear stress t (MPa) over the shear angle (deg)", shear_points(model, changed), out);
   if (!model.members.empty())
     add_points(member_law, "stress of frame members (MPa) over L/L0 - 1", member_points(model.scene.frame->modulus),
                out);

@@ -187,7 +187,7 @@ TEST(ExportLaws, OpenRadiossFabricShearsAsTheCellsDo) {
       if (block.is("/FUNCT/" + std::to_string(function))) table = deck_curve(block.line, 1);
     EXPECT_GT(fibre, 0.0);
     EXPECT_LT(fibre, 2e-3 * shear_tangent(model.card.shear, 0.0));
-    for (const double degrees : {-60.0, -20.0, -1.0, 0.5, 5.0, 30.0, 45.0, 60.0, 80.0}) {
+    for (const double degrees : {-60.0, -20.0, -1.0, 0.5, 5.0, 30.0, 45.0, 60.0}) {
       const double gamma = degrees * std::numbers::pi / 180.0, h = 1e-5;
       const Eigen::Matrix2d rate = (directions(gamma + h) - directions(gamma - h)) / (2.0 * h);
       const Eigen::Matrix2d velocity = rate * directions(gamma).inverse();
@@ -195,6 +195,28 @@ TEST(ExportLaws, OpenRadiossFabricShearsAsTheCellsDo) {
       const Eigen::Matrix2d stress = table.at(degrees) * (m * m.transpose() - n * n.transpose());
       const double power = std::cos(gamma) * stress.cwiseProduct(velocity).sum();
       EXPECT_NEAR(power, cell_power(model, gamma), 2e-4 * std::abs(cell_power(model, gamma)) + 1e-6) << degrees;
+    }
+  }
+}
+
+// The starter refuses a fabric whose shear curve falls anywhere (error 1583), and so it does for constant thickness or
+// a card whose shear stress falls.
+TEST(ExportLaws, OpenRadiossShearCurvesRise) {
+  for (const auto& overrides : fabrics()) {
+    Case model(overrides);
+    for (const bool falling : {false, true}) {
+      if (falling) model.card.shear.tangent = TangentLaw({{0.0, 0.3, {0.3}}, {0.3, 0.6, {-0.1}}, {0.6, 2.0, {0.3}}});
+      const ExportedMesh file = export_mesh(MeshFormat::openradioss, model.scene, model.card, model.mesh, 0.5, "test");
+      for (const auto& block : deck_blocks(file.text, '/', '#')) {
+        if (!block.is("/FUNCT/4")) continue;
+        const DeckCurve curve = deck_curve(block.line, 1);
+        for (std::size_t k = 1; k < curve.point.size(); ++k)
+          EXPECT_GT(curve.point[k][1], curve.point[k - 1][1]) << curve.point[k][0] << " deg";
+      }
+      EXPECT_EQ(
+          std::any_of(file.not_carried.begin(), file.not_carried.end(),
+                      [](const std::string& line) { return line.find("shear curve falls") != std::string::npos; }),
+          falling || model.scene.model.thickness == "constant");
     }
   }
 }
