@@ -158,6 +158,13 @@ void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
   lost.push_back(
       "cells: /MAT/FABR_A with the shear law's table, exact while yarns keep their length (the law's volume stays, the "
       "shell's thickness does); its own fibres bear a thousandth of the shear modulus");
+  double changed = 0.0;
+  (void)shear_points(deck.model, changed);
+  if (changed > 0.0)
+    lost.push_back(
+        fmt::format("cells: the shear curve falls, which the starter refuses; it is held level there, by at "
+                    "most {:.3g} MPa",
+                    changed));
   if (spec.cell != "membrane")
     lost.push_back(
         fmt::format("model.cell = \"{}\": the cells' bending and transverse shear are not written; the "
