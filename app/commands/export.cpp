@@ -29,6 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::map<std::string, MeshFormat> mesh_formats = {{"abaqus", MeshFormat::abaqus},
+                                                        {"calculix", MeshFormat::calculix},
                                                         {"lsdyna", MeshFormat::lsdyna},
                                                         {"openradioss", MeshFormat::openradioss},
                                                         {"gmsh", MeshFormat::gmsh}};
@@ -43,6 +44,8 @@ struct ExportArguments {
   std::string onto, part, unit;  // part and unit of the mesh to map onto
   std::vector<double> position, rotation;
   std::optional<double> within, group_angle;
+  std::string materials = "built-in";
+  bool is_static = false;
   bool force = false, quiet = false, yes = false;
 };
 
@@ -73,6 +76,15 @@ void log_not_carried(const ExportArguments& arguments, const std::vector<std::st
   for (const auto& line : lines) log_line("not carried: " + line);
 }
 
+// The starter's file is NAME_0000.rad and the engine's NAME_0001.rad; both programs find each other's files by NAME.
+std::string run_name_of(const fs::path& output) {
+  std::string name = output.stem().string();
+  const std::string ending = "_0000";
+  if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+    name.resize(name.size() - ending.size());
+  return name;
+}
+
 void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   if (!arguments.onto.empty())
     throw InputError(
@@ -81,7 +93,16 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   const Model model = model_of(arguments);
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
   const double duration = choose_loading(model.scene, model.card).duration;
-  const ExportedMesh file = export_mesh(format, model.scene, model.card, model.mesh, duration, version_line());
+  ExportOptions options;
+  options.materials = arguments.materials == "user" ? Materials::user : Materials::built_in;
+  options.is_static = arguments.is_static;
+  options.run_name = run_name_of(arguments.output);
+  const ExportedMesh file = export_mesh(format, model.scene, model.card, model.mesh, duration, version_line(), options);
+  if (!file.engine.empty()) {
+    const fs::path engine = fs::path(arguments.output).parent_path() / (options.run_name + "_0001.rad");
+    require_writable(engine, files_read(arguments, model.scene), arguments.force);
+    write_text_whole(engine, file.engine);
+  }
   write_text_whole(arguments.output, file.text);
   log_not_carried(arguments, file.not_carried);
   if (!arguments.quiet) print_answer(fmt::format("{}: {}", arguments.output, describe(model)));
@@ -190,8 +211,8 @@ void add_export_command(CLI::App& program) {
   for (const auto& [name, format] : mesh_formats) formats.push_back(name);
   command
       ->add_option("--format", arguments->format,
-                   "Mesh: abaqus, lsdyna, openradioss, gmsh. Formed result: orientation-abaqus, orientation-calculix, "
-                   "drape-openradioss, csv, vtu")
+                   "Mesh: abaqus, calculix, lsdyna, openradioss, gmsh. Formed result: orientation-abaqus, "
+                   "orientation-calculix, drape-openradioss, csv, vtu")
       ->required()
       ->check(CLI::IsMember(formats));
   command->add_option("-o,--output", arguments->output, "File to write")->required()->type_name("FILE");
@@ -228,6 +249,12 @@ void add_export_command(CLI::App& program) {
                    "0: none but equal ones)")
       ->check(CLI::Range(0.0, 45.0))
       ->type_name("DEG");
+  command
+      ->add_option("--materials", arguments->materials,
+                   "lsdyna, openradioss: built-in (what the code has itself) or user (constants of a user material)")
+      ->type_name("WHOSE")
+      ->check(CLI::IsMember({"built-in", "user"}));
+  command->add_flag("--static", arguments->is_static, "calculix: *STATIC instead of *DYNAMIC; a plane scene");
   command
       ->add_option("--set", arguments->overrides,
                    "Override a value of the scene, e.g. --set blank.coarsening=2; repeatable")

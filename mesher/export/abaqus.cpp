@@ -58,6 +58,15 @@ void add_mesh(const Gathered& model, std::string& out) {
   }
 }
 
+// After the shells, so that yarns and shells keep their numbers.
+void add_members(const Gathered& model, std::string& out) {
+  if (model.members.empty()) return;
+  out += "*ELEMENT, TYPE=T3D2, ELSET=FRAME_MEMBERS\n";
+  int number = model.first_extra();
+  for (const auto& member : model.members)
+    out += fmt::format("{}, {}, {}\n", number++, member.node[0] + 1, member.node[1] + 1);
+}
+
 bool has_shells(const Gathered& model, int size) {
   return std::any_of(model.shells.begin(), model.shells.end(), [&](const Shell& s) { return s.size() == size; });
 }
@@ -72,17 +81,13 @@ void add_sets(const Gathered& model, std::string& out) {
   out += "*ELSET, ELSET=CELLS\n";
   for (const int size : {4, 3})
     if (has_shells(model, size)) out += fmt::format("CELLS_{}\n", size);
-  for (const auto& set : model.mesh.sets) {
+  if (!model.members.empty()) out += "*ELSET, ELSET=FRAME\nFRAME_MEMBERS\n";
+  for (const auto& set : model.sets) {
     if (set.node.empty()) continue;
     std::vector<int> numbers;
     for (const int n : set.node) numbers.push_back(n + 1);
     out += fmt::format("*NSET, NSET={}\n", plain_name(set.name));
     add_list(out, numbers);
-  }
-  if (model.mesh.frame.present()) {
-    const auto& corner = model.mesh.frame.corner;
-    out += fmt::format("*NSET, NSET=FRAME_CORNERS\n{}, {}, {}, {}\n", corner[0] + 1, corner[1] + 1, corner[2] + 1,
-                       corner[3] + 1);
   }
 }
 
@@ -96,10 +101,24 @@ void add_material(const std::string& name, const std::vector<Constant>& constant
     out += num(constants[k].value) + (k + 1 == constants.size() ? "\n" : (k % 8 == 7 ? ",\n" : ", "));
 }
 
+// Idle ends have idle_share of a section: with as many times the density they weigh what they should, and the wave in
+// them is slow, so that they set no step.
+void add_yarn_materials(const Gathered& model, std::string& out) {
+  for (std::size_t f = 0; f < 2; ++f) {
+    const std::string name = f == 0 ? "YARN_WARP" : "YARN_WEFT";
+    const double density = model.yarn_density(f) * model.scene.analysis.mass_scale;
+    add_material(name, yarn_constants(model, f), density, out);
+    if (std::any_of(model.yarns.begin(), model.yarns.end(),
+                    [&](const YarnGroup& group) { return group.idle && group.family == f; }))
+      add_material(name + "_IDLE", yarn_constants(model, f), density / idle_share, out);
+  }
+}
+
 void add_sections(const Gathered& model, std::string& out) {
   const bool beam = model.scene.model.yarn == "beam";
   for (const auto& group : model.yarns) {
-    const char* material = group.family == 0 ? "YARN_WARP" : "YARN_WEFT";
+    const std::string material =
+        std::string(group.family == 0 ? "YARN_WARP" : "YARN_WEFT") + (group.idle ? "_IDLE" : "");
     if (beam)
       // a round section of the yarn's area; its stiffness in bending is the user material's affair
       out += fmt::format("*BEAM SECTION, ELSET={}, MATERIAL={}, SECTION=CIRC\n{}\n0., 0., 1.\n", group.name, material,
@@ -107,6 +126,11 @@ void add_sections(const Gathered& model, std::string& out) {
     else
       out += fmt::format("*SOLID SECTION, ELSET={}, MATERIAL={}\n{}\n", group.name, material, num(group.section));
   }
+  if (!model.members.empty())
+    out += fmt::format(
+        "*MATERIAL, NAME=FRAME_MEMBER\n*DENSITY\n{}\n*ELASTIC\n{}, 0.\n*SOLID SECTION, ELSET=FRAME_MEMBERS, "
+        "MATERIAL=FRAME_MEMBER\n{}\n",
+        num(model.member_density()), num(model.scene.frame->modulus), num(model.member_section()));
   for (const int size : {4, 3}) {
     if (!has_shells(model, size)) continue;
     out += fmt::format("*{} SECTION, ELSET=CELLS_{}, MATERIAL=FABRIC_SHEAR, ORIENTATION=FABRIC\n{}\n",
@@ -236,6 +260,11 @@ void add_step(const Gathered& model, std::string& out) {
     }
     out += fmt::format("*CONTACT PAIR, INTERACTION=RUB_{0}\nFABRIC_NODES, TOOL_{0}\n", name);
   }
+  const auto& g = model.scene.analysis.gravity;
+  const double weight = std::hypot(g[0], g[1], g[2]) / model.scene.analysis.mass_scale;
+  if (weight > 0.0)
+    for (const char* set : {"WARP", "WEFT"})
+      out += fmt::format("*DLOAD\n{}, GRAV, {}, {}, {}, {}\n", set, num(weight), num(g[0]), num(g[1]), num(g[2]));
   out += "*OUTPUT, FIELD, NUMBER INTERVAL=20\n*NODE OUTPUT\nU, RF\n*ELEMENT OUTPUT\nS, LE\n*END STEP\n";
 }
 
@@ -246,15 +275,17 @@ ExportedMesh write_abaqus(const Gathered& model) {
   auto& lost = result.not_carried;
   if (!model.mesh.tie.empty()) lost.push_back("ties: written as linear equations between displacements");
   std::string body = "*HEADING\nWoven fabric: yarns merged with shear cells\n";
+  list_frame(model, lost);
+  list_user_materials(model, lost);
   add_mesh(model, body);
+  add_members(model, body);
   add_sets(model, body);
   body += fmt::format(
       "** 1: along the warp, 2: along the weft, on the flat blank\n*ORIENTATION, NAME=FABRIC\n"
       "{}, {}, {}, {}, {}, {}\n3, 0.\n",
       num(model.direction[0][0]), num(model.direction[0][1]), num(model.direction[0][2]), num(model.direction[1][0]),
       num(model.direction[1][1]), num(model.direction[1][2]));
-  add_material("YARN_WARP", yarn_constants(model, 0), model.yarn_density(0), body);
-  add_material("YARN_WEFT", yarn_constants(model, 1), model.yarn_density(1), body);
+  add_yarn_materials(model, body);
   add_material("FABRIC_SHEAR", shear_constants(model), model.shell_density(), body);
   add_sections(model, body);
   add_ties(model, body);

@@ -12,16 +12,29 @@
 
 namespace weaveform {
 
-enum class MeshFormat { abaqus, lsdyna, openradioss, gmsh };
+enum class MeshFormat { abaqus, calculix, lsdyna, openradioss, gmsh };
+
+// Whose laws: those that the code has itself, so that the file runs as it is, or user materials with the card's
+// constants, whose routine is the reader's to supply.
+enum class Materials { built_in, user };
+
+struct ExportOptions {
+  Materials materials = Materials::built_in;  // lsdyna, openradioss; abaqus always takes user materials
+  bool is_static = false;                     // calculix: *STATIC instead of *DYNAMIC; plane scenes without tools
+  std::string run_name = "fabric";            // openradioss: the file's name without _0000.rad
+};
 
 struct ExportedMesh {
   std::string text;                      // the whole file
   std::vector<std::string> not_carried;  // one line each: what the format cannot say; also in the file's header
+  std::string engine = {};               // openradioss: the whole engine file, RUN_NAME_0001.rad; else empty
 };
 
 // `duration` (s) of the motion, which the scene may leave to the program. `written_by` goes into the header. Throws
-// InputError when a tool's profile or file is none, FileError when that file cannot be read.
+// InputError when a tool's profile or file is none, or when options do not go with the format or the scene; FileError
+// when a tool's file cannot be read.
 [[nodiscard]] ExportedMesh export_mesh(MeshFormat format, const Scene& scene, const Card& card, const Mesh& mesh,
-                                       double duration, const std::string& written_by);
+                                       double duration, const std::string& written_by,
+                                       const ExportOptions& options = {});
 
 }  // namespace weaveform

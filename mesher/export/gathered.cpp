@@ -23,9 +23,13 @@ std::vector<YarnGroup> group_yarns(const Mesh& mesh) {
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto family = static_cast<std::size_t>(mesh.yarns.family[e]);
     const bool idle = mesh.yarns.softening[e] <= 0.0;
-    const double section = mesh.yarns.section[e] * (idle ? idle_share : mesh.yarns.softening[e]);
+    const double whole = mesh.yarns.section[e];
+    const double section = whole * (idle ? idle_share : mesh.yarns.softening[e]);
+    const double stretch = 1.0 + mesh.yarns.jaw[e] / mesh.yarns.rest_length[e];
+    const auto agree = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const YarnGroup& group) {
-      return group.family == family && group.idle == idle && std::abs(group.section - section) <= 1e-9 * section;
+      return group.family == family && group.idle == idle && agree(group.section, section) &&
+             agree(group.whole_section, whole) && agree(group.jaw_stretch, stretch);
     });
     if (same != groups.end()) {
       same->element.push_back(e);
@@ -33,7 +37,7 @@ std::vector<YarnGroup> group_yarns(const Mesh& mesh) {
     }
     const std::string name = idle ? fmt::format("{}_idle_{}", family_name[family], ++idle_count[family])
                                   : fmt::format("{}_{}", family_name[family], ++count[family]);
-    groups.push_back({name, family, section, idle, {e}});
+    groups.push_back({name, family, section, whole, stretch, idle, {e}});
   }
   return groups;
 }
@@ -62,6 +66,28 @@ void gather_grips(const Scene& scene, Gathered& model) {
     }
     model.grips.push_back(motion);
   }
+}
+
+// The base stays, the pulled corner goes along the frame's diagonal, as the solver has it (motion/picture_frame.hpp).
+void gather_frame(const Scene& scene, const Mesh& mesh, Gathered& model) {
+  if (!mesh.frame.present() || !scene.frame) return;
+  const auto& corner = mesh.frame.corner;
+  const auto& x = mesh.nodes.position;
+  NodeSet corners{"frame_corners", {corner.begin(), corner.end()}};
+  std::sort(corners.node.begin(), corners.node.end());
+  model.sets.push_back(std::move(corners));
+  model.sets.push_back({"frame_base", {corner[0]}});
+  model.sets.push_back({scene.frame->grip, {corner[2]}});
+  model.grips.push_back({"frame_base", {0.0, 0.0, 0.0}});
+  Motion pulled{scene.frame->grip, {}};
+  double diagonal = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) diagonal = std::hypot(diagonal, x[corner[2]][c] - x[corner[0]][c]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double part = (x[corner[2]][c] - x[corner[0]][c]) / diagonal;
+    pulled.displacement[c] = std::abs(part) < 1e-12 ? 0.0 : scene.frame->travel * part;
+  }
+  model.grips.push_back(pulled);
+  for (std::size_t k = 0; k < 4; ++k) model.members.push_back({{corner[k], corner[(k + 1) % 4]}});
 }
 
 void gather_tools(const Scene& scene, const Mesh& mesh, Gathered& model) {
@@ -111,19 +137,13 @@ void list_mesh(const Mesh& mesh, std::vector<std::string>& lines) {
     worst = std::max(worst, off);
   }
   if (jaws > 0)
-    lines.push_back(fmt::format(
-        "jaws: {} yarn elements reach up to {:.4g} mm into a grip's jaws, N = s(ln((L + jaw)/(L0 + jaw))); written "
-        "without, so they are stiffer",
-        jaws, longest));
+    lines.push_back(
+        fmt::format("jaws: {} yarn elements reach up to {:.4g} mm into a grip's jaws, N = s(ln((L + jaw)/(L0 + jaw)))",
+                    jaws, longest));
   if (soft > 0)
     lines.push_back(
-        fmt::format("softening: {} yarn ends carry a part of their force; written as a smaller section, "
-                    "which is the same force but also less mass",
-                    soft));
-  if (idle > 0)
-    lines.push_back(fmt::format(
-        "free ends: {} yarn elements carry nothing; written with {:g} of their section, and so of their mass", idle,
-        idle_share));
+        fmt::format("softening: {} yarn ends carry a part of their force; written as a smaller section", soft));
+  if (idle > 0) lines.push_back(fmt::format("free ends: {} yarn elements carry nothing beside their tie", idle));
   if (many > 0)
     lines.push_back(
         fmt::format("cut cells: {} cells of 5 or 6 nodes are written as two shells each that share their "
@@ -141,14 +161,9 @@ void list_mesh(const Mesh& mesh, std::vector<std::string>& lines) {
     lines.push_back(
         "draped start: nodes are written where they start; another code takes that shape, its lengths and "
         "its angles for unstrained, and the flat blank is lost");
-  if (mesh.frame.present())
-    lines.push_back("shear frame: its members and hinges are not written; its corners are the node set frame_corners");
 }
 
 void list_scene(const Scene& scene, std::vector<std::string>& lines) {
-  if (scene.model.yarn_law != "card")
-    lines.push_back(
-        fmt::format("model.yarn_law = \"{}\": the constants are those of the card's own law", scene.model.yarn_law));
   if (scene.model.cell == "side-frame")
     lines.push_back(
         "model.cell = \"side-frame\": the frame tied to a side has no element elsewhere; written as shells");
@@ -160,12 +175,12 @@ void list_scene(const Scene& scene, std::vector<std::string>& lines) {
     lines.push_back(
         "beams: yarns are pinned where they cross yet each runs on; where they share a node another code "
         "joins their rotations");
-  lines.push_back(
-      "formulation: cell forces of the other code come from its own element and a user material that has "
-      "to be supplied; the constants say what it must do");
+  if (scene.model.formulation != "energy")
+    lines.push_back(
+        fmt::format("model.formulation = \"{}\": cells are written by their energy, which differs in the "
+                    "part of the shear force along the yarns",
+                    scene.model.formulation));
   lines.push_back("analysis: damping, yarn viscosity and step control are not written");
-  if (scene.analysis.gravity != std::array<double, 3>{0.0, 0.0, 0.0})
-    lines.push_back("analysis.gravity is not written");
   if (!scene.measure.empty()) lines.push_back("measures are not written");
 }
 
@@ -177,6 +192,29 @@ double Gathered::yarn_density(std::size_t family) const {
 
 double Gathered::shell_density() const {
   return shell_mass_share * card.area_density() / mesh.thickness;
+}
+
+double Gathered::member_section() const {
+  return scene.frame ? scene.frame->section : 0.0;
+}
+
+double Gathered::member_density() const {
+  return scene.frame ? scene.frame->density * scene.frame->mass_scale : 0.0;
+}
+
+int Gathered::set_number(const std::string& name) const {
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    if (sets[s].name == name) return static_cast<int>(s) + 1;
+  return 0;
+}
+
+std::optional<std::array<double, 2>> Gathered::bending(const YarnGroup& group) const {
+  const YarnCard& yarn = card.yarn[group.family];
+  const double count = group.section / yarn.section;
+  if (scene.model.yarn_bending)
+    return {{count * (*scene.model.yarn_bending)[0], count * (*scene.model.yarn_bending)[1]}};
+  if (yarn.bending_out_of_plane.pieces().empty()) return std::nullopt;
+  return {{count * yarn.bending_in_plane.tangent(0.0), count * yarn.bending_out_of_plane.tangent(0.0)}};
 }
 
 std::vector<Shell> shells_of(const MeshCells& cells) {
@@ -192,12 +230,15 @@ std::vector<Shell> shells_of(const MeshCells& cells) {
 
 Gathered gather(const Scene& scene, const Card& card, const Mesh& mesh, double duration,
                 const std::string& written_by) {
-  Gathered model{scene, card, mesh, duration, written_by, group_yarns(mesh), shells_of(mesh.cells), {}, {}, {}, {}};
+  Gathered model{scene, card, mesh, duration, written_by, group_yarns(mesh), shells_of(mesh.cells), {},
+                 {},    {},   {},   {},       {}};
   const double angle = scene.blank.yarn_angle + scene.blank.orientation;
   model.direction = {turned({1.0, 0.0, 0.0}, angle), turned({0.0, 1.0, 0.0}, angle)};
   list_mesh(mesh, model.not_carried);
   list_scene(scene, model.not_carried);
+  model.sets = mesh.sets;
   gather_grips(scene, model);
+  gather_frame(scene, mesh, model);
   gather_tools(scene, mesh, model);
   return model;
 }
@@ -250,6 +291,28 @@ std::vector<Constant> shear_constants(const Gathered& model) {
   add_pieces(shear.tangent, "shear", "logarithmic shear strain atanh(sin gamma); contravariant stress is its integral",
              constants);
   return constants;
+}
+
+void list_frame(const Gathered& model, std::vector<std::string>& lost) {
+  if (model.members.empty()) return;
+  lost.push_back(
+      "shear frame: its members are single elements pinned at the corners (node set frame_corners), with the stiffness "
+      "and mass of [frame]; the base (frame_base) stays and the pulled corner moves");
+  if (model.scene.frame->rigid)
+    lost.push_back("frame.rigid: the members stretch by the modulus and section of [frame]");
+}
+
+void list_user_materials(const Gathered& model, std::vector<std::string>& lost) {
+  const ModelSpec& spec = model.scene.model;
+  lost.push_back(
+      "formulation: cell forces come from the other code's own element and a user material that has to be supplied; "
+      "the constants say what it must do");
+  if (spec.yarn_law != "card")
+    lost.push_back(
+        fmt::format("model.yarn_law = \"{}\": the constants are those of the card's own law", spec.yarn_law));
+  lost.push_back(
+      "jaws and softening: elements in a grip's jaws are written without them and so stiffer; softened ends "
+      "weigh less by their smaller section");
 }
 
 double smooth_way(double s) {

@@ -14,12 +14,15 @@
 
 namespace weaveform::foreign {
 
-// Yarn elements of one family whose sections agree to 1e-9 (relative). Of a softened end the section is the softened
-// one, which is the same force; a tied free end carries nothing and gets idle_share of its section.
+// Yarn elements of one family whose sections, masses and reach into jaws agree to 1e-9 (relative). Of a softened end
+// the section is the softened one, which is the same force; a tied free end carries nothing and gets idle_share of its
+// section.
 struct YarnGroup {
   std::string name;  // "warp_1", ...; "warp_idle_1", ...
   std::size_t family = 0;
-  double section = 0.0;  // mm^2
+  double section = 0.0;        // mm^2; that bears
+  double whole_section = 0.0;  // mm^2; that weighs: of all yarns the element stands for
+  double jaw_stretch = 1.0;    // 1; (L0 + jaw)/L0, the length that strains against the element's own
   bool idle = false;
   std::vector<int> element;
 };
@@ -36,6 +39,12 @@ struct Shell {
 struct Motion {
   std::string set;                                    // name of the node set
   std::array<std::optional<double>, 3> displacement;  // mm; per world axis at the end; none: free
+  [[nodiscard]] bool holds_all() const { return displacement[0] && displacement[1] && displacement[2]; }
+};
+
+// A pin-jointed member of a shear frame, between two of its corners.
+struct FrameMember {
+  std::array<int, 2> node = {0, 0};
 };
 
 struct ToolMotion {
@@ -52,13 +61,22 @@ struct Gathered {
   std::string written_by;
   std::vector<YarnGroup> yarns;
   std::vector<Shell> shells;  // in the order of the cells
-  std::vector<Motion> grips;
+  std::vector<NodeSet> sets;  // the mesh's; of a shear frame also frame_corners, frame_base and its grip
+  std::vector<Motion> grips;  // of a shear frame its base and the pulled corner
+  std::vector<FrameMember> members;
   std::vector<ToolMotion> tools;
   std::array<std::array<double, 3>, 2> direction = {};                     // unit; warp and weft on the flat blank
   std::vector<std::string> not_carried;                                    // by any of the formats
   [[nodiscard]] int first_shell() const { return mesh.yarn_count() + 1; }  // its number
-  [[nodiscard]] double yarn_density(std::size_t family) const;             // tonne/mm^3
-  [[nodiscard]] double shell_density() const;                              // tonne/mm^3
+  // The number after the last shell, from which further elements (members, springs, tools) count.
+  [[nodiscard]] int first_extra() const { return first_shell() + static_cast<int>(shells.size()); }
+  [[nodiscard]] int set_number(const std::string& name) const;  // from 1, as in `sets`; 0: none
+  [[nodiscard]] double yarn_density(std::size_t family) const;  // tonne/mm^3
+  [[nodiscard]] double shell_density() const;                   // tonne/mm^3
+  [[nodiscard]] double member_section() const;                  // mm^2
+  [[nodiscard]] double member_density() const;                  // tonne/mm^3; with frame.mass_scale
+  // N mm^2; of all yarns of the group, in the fabric's plane and out of it; none where neither scene nor card says.
+  [[nodiscard]] std::optional<std::array<double, 2>> bending(const YarnGroup& group) const;
 };
 
 // Cells as the writers cut them: three and four nodes as they are, five as 4 + 3, six as 4 + 4.
@@ -75,6 +93,10 @@ struct Constant {
 // Tension law of a family: flags, compression, then piece by piece.
 [[nodiscard]] std::vector<Constant> yarn_constants(const Gathered& model, std::size_t family);
 [[nodiscard]] std::vector<Constant> shear_constants(const Gathered& model);
+// How a shear frame is written by the formats that write it.
+void list_frame(const Gathered& model, std::vector<std::string>& lost);
+// What user materials leave to their routine, and what their constants do not say.
+void list_user_materials(const Gathered& model, std::vector<std::string>& lost);
 // Way of a grip or tool as a part of its travel at a part s in [0, 1] of the duration.
 [[nodiscard]] double smooth_way(double s);
 [[nodiscard]] double tool_way(const ToolSpec& tool, double s);

@@ -39,9 +39,12 @@ void check_nodes(const ForeignMesh& file, const Mesh& mesh, std::vector<int>& ou
 
 void check_elements(const ForeignMesh& file, const Mesh& mesh, const std::vector<int>& ours) {
   const auto shells = foreign::shells_of(mesh.cells);
-  if (file.lines.size() != mesh.yarns.node.size() || file.shells.size() != shells.size())
+  const long last = mesh.yarn_count() + static_cast<long>(shells.size());  // a frame's members come after
+  const auto own_lines = std::count_if(file.lines.begin(), file.lines.end(),
+                                       [&](const ForeignElement& line) { return line.number <= last; });
+  if (static_cast<std::size_t>(own_lines) != mesh.yarns.node.size() || file.shells.size() != shells.size())
     changed(file, 0,
-            fmt::format("{} lines and {} shells instead of {} and {}", file.lines.size(), file.shells.size(),
+            fmt::format("{} lines and {} shells instead of {} and {}", own_lines, file.shells.size(),
                         mesh.yarns.node.size(), shells.size()));
   const auto same = [&](const ForeignElement& element, const int* node, std::size_t size) {
     if (element.node.size() != size) return false;
@@ -50,6 +53,7 @@ void check_elements(const ForeignMesh& file, const Mesh& mesh, const std::vector
     return true;
   };
   for (const auto& line : file.lines) {
+    if (line.number > last) continue;
     const long e = line.number - 1;
     if (e < 0 || e >= mesh.yarn_count() || !same(line, mesh.yarns.node[static_cast<std::size_t>(e)].data(), 2))
       changed(file, line.line, fmt::format("element {}", line.number));

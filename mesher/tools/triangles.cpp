@@ -158,6 +158,15 @@ std::array<double, 3> TriangleSurface::face_normal(int triangle) const {
   return {normal.x(), normal.y(), normal.z()};
 }
 
+std::array<std::array<double, 3>, 3> TriangleSurface::corners(int triangle) const {
+  std::array<std::array<double, 3>, 3> corners{};
+  for (int k = 0; k < 3; ++k) {
+    const Point& p = tree_->triangles[triangle].vertex(k);
+    corners[static_cast<std::size_t>(k)] = {p.x(), p.y(), p.z()};
+  }
+  return corners;
+}
+
 SurfaceDistance TriangleSurface::distance(const std::array<double, 3>& point, int hint) const {
   const Point p(point[0], point[1], point[2]);
   const int guess = std::clamp(hint, 0, size() - 1);

@@ -32,6 +32,8 @@ public:
   // Unit, outward; of one triangle.
   [[nodiscard]] std::array<double, 3> face_normal(int triangle) const;
   [[nodiscard]] int size() const;
+  // Of one triangle, counter-clockwise from outside.
+  [[nodiscard]] std::array<std::array<double, 3>, 3> corners(int triangle) const;
 
 private:
   struct Tree;

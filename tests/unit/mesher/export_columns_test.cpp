@@ -152,9 +152,11 @@ ReadBack read_lsdyna(const std::string& text) {
         EXPECT_EQ(line.size(), 56U) << line;
         read.node[whole(line, 0, 8)] = {field(line, 8, 16), field(line, 24, 16), field(line, 40, 16)};
       }
-    } else if (block.keyword == "*ELEMENT_BEAM" || block.keyword == "*ELEMENT_SEATBELT") {
-      for (const auto& line : lines)
+    } else if (block.keyword == "*ELEMENT_DISCRETE" || block.keyword == "*ELEMENT_SEATBELT") {
+      for (const auto& line : lines) {
         read.line[whole(line, 0, 8)] = {whole(line, 8, 8), {whole(line, 16, 8), whole(line, 24, 8)}};
+        if (block.keyword == "*ELEMENT_DISCRETE") read.part_area[whole(line, 8, 8)] = field(line, 40, 16);
+      }
     } else if (block.keyword == "*ELEMENT_SHELL") {
       for (const auto& line : lines) {
         EXPECT_EQ(line.size(), 48U) << line;
@@ -165,14 +167,11 @@ ReadBack read_lsdyna(const std::string& text) {
       }
     } else if (block.keyword == "*PART") {
       section_of[whole(lines.at(1), 0, 10)] = whole(lines.at(1), 10, 10);
-    } else if (block.keyword == "*SECTION_BEAM") {
-      EXPECT_EQ(whole(lines.at(0), 10, 10), 3) << "truss";
-      area[whole(lines.at(0), 0, 10)] = field(lines.at(1), 0, 10);
     } else if (block.keyword == "*SECTION_SEATBELT") {
       area[whole(lines.at(0), 0, 10)] = field(lines.at(0), 10, 10);
     } else if (block.keyword == "*SET_NODE_LIST_TITLE") {
       read.set[lines.at(0)] = numbers_of(lines, 2);
-    } else if (block.keyword == "*SET_BEAM_TITLE") {
+    } else if (block.keyword == "*SET_DISCRETE_TITLE") {
       read.set[lines.at(0)] = numbers_of(lines, 2);
     }
   }
@@ -197,7 +196,7 @@ ReadBack read_openradioss(const std::string& text) {
         EXPECT_EQ(line.size(), 70U) << line;
         read.node[whole(line, 0, 10)] = {field(line, 10, 20), field(line, 30, 20), field(line, 50, 20)};
       }
-    } else if (is("/TRUSS")) {
+    } else if (is("/SPRING")) {
       for (const auto& line : lines) read.line[whole(line, 0, 10)] = {id(), {whole(line, 10, 10), whole(line, 20, 10)}};
     } else if (is("/SHELL") || is("/SH3N")) {
       for (const auto& line : lines) {
@@ -208,8 +207,8 @@ ReadBack read_openradioss(const std::string& text) {
       }
     } else if (is("/PART")) {
       property_of[id()] = whole(lines.at(1), 0, 10);
-    } else if (is("/PROP/TRUSS")) {
-      area[id()] = field(lines.at(1), 0, 20);
+    } else if (is("/PROP/SPRING")) {
+      area[id()] = field(lines.at(2), 40, 20);  // field A
     } else if (is("/GRNOD/NODE")) {
       read.set[lines.at(0)] = numbers_of(lines, 1);
     }

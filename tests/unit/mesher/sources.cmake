@@ -6,6 +6,8 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/dxf_outline_test.cpp
   unit/mesher/expected_size_test.cpp
   unit/mesher/export_columns_test.cpp
+  unit/mesher/export_decks_test.cpp
+  unit/mesher/export_laws_test.cpp
   unit/mesher/geo_script_test.cpp
   unit/mesher/guarded_test.cpp
   unit/mesher/identify_fit_file_test.cpp
