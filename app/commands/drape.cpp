@@ -39,6 +39,7 @@ void make_drape(const DrapeArguments& arguments) {
   clear_folder(directory);
   write_scene_copy(with_absolute_paths(scene), directory);
   write_drape(scene, mesh, card, drape, directory);
+  log_warnings(drape_warnings(mesh, card, drape));
   if (arguments.quiet) return;
   print_answer(describe_drape(mesh, card, drape));
   log_end(directory, "drape.vtu for ParaView, flat_pattern.csv for the cutter, the numbers in drape.json");

@@ -135,7 +135,8 @@ void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const D
                                {"cells_per_s", s.cells_per_s},
                                {"unreachable", places_json(drape.unreachable)},
                                {"folds", places_json(drape.folds)},
-                               {"tight", places_json(drape.tight)}};
+                               {"tight", places_json(drape.tight)},
+                               {"warnings", drape_warnings(mesh, card, drape)}};
   write_text_whole(directory / "drape.json", json.dump(2) + "\n");
 }
 
@@ -151,16 +152,25 @@ std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drap
         "\nnote: {} cells cut by the blank's edge where the tool ends: their angle continues the tool in its "
         "tangent plane (array 'extrapolated' of drape.vtu)",
         s.extrapolated_cells);
-  constexpr std::size_t most = 5;  // of a kind; the file has all
-  for (const auto* places : {&drape.unreachable, &drape.folds, &drape.tight})
-    for (std::size_t k = 0; k < places->size(); ++k) {
-      if (k == most) {
-        text += fmt::format("\nwarning: and {} more like it, see drape.json", places->size() - most);
-        break;
-      }
-      text += "\nwarning: " + place_line((*places)[k]);
-    }
   return text;
+}
+
+std::vector<std::string> drape_warnings(const Mesh& mesh, const Card& card, const Drape& drape) {
+  std::vector<std::string> lines;
+  const DrapeSummary s = summarise(mesh, card, drape);
+  if (s.cells_beyond_card > 0)
+    lines.push_back(fmt::format(
+        "{} of {} cells are sheared beyond the {:g} degrees to which the card's shear law is meant to hold, up to "
+        "{:.3g} "
+        "degrees: fabric of this card need not drape so; lay it from another seed or direction, or cut darts",
+        s.cells_beyond_card, s.cells_placed, card.shear.valid_to_deg, s.max_shear_angle_deg));
+  constexpr std::size_t most = 5;  // of a kind; the file has all
+  for (const auto* places : {&drape.unreachable, &drape.folds, &drape.tight}) {
+    for (std::size_t k = 0; k < std::min(places->size(), most); ++k) lines.push_back(place_line((*places)[k]));
+    if (places->size() > most)
+      lines.push_back(fmt::format("and {} more like it, see drape.json", places->size() - most));
+  }
+  return lines;
 }
 
 }  // namespace weaveform

@@ -1,13 +1,13 @@
 // What `weaveform drape` leaves: the drape as a result in itself.
-//   drape.vtu         the cells and yarn elements that have a place: cell data shear_angle_deg, folded, extrapolated;
-//   point data
-//                     flat_position_mm
+//   drape.vtu         the cells and yarn elements that have a place: cell data shear_angle_deg and its size
+//                     absolute_shear_angle_deg, folded, extrapolated, family; point data flat_position_mm
 //   flat_pattern.csv  outline of the draped part of the blank, flat (mesher/drape/flat_pattern.hpp)
-//   drape.json        cells, greatest angle, what is wrong and where, rate
+//   drape.json        cells, greatest angle, what is wrong and where, rate, warnings
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "mesher/drape/drape.hpp"
 #include "mesher/material/card.hpp"
@@ -26,7 +26,8 @@ struct DrapeSummary {
 // `mesh` flat. Throws FileError.
 void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const Drape& drape,
                  const std::filesystem::path& directory);
-// A few lines for people.
+// A few lines for people, and what the drape says against itself.
 [[nodiscard]] std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape);
+[[nodiscard]] std::vector<std::string> drape_warnings(const Mesh& mesh, const Card& card, const Drape& drape);
 
 }  // namespace weaveform
