@@ -58,7 +58,7 @@ void fit(const FitArguments& arguments) {
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / file.stem()
                                                                    : std::filesystem::path(arguments.output);
   const auto spec = identify::read_fit(file);
-  const auto found = identify::identify(spec, replaced_card(directory));
+  const auto found = identify::identify(spec, replaced_card(directory), (directory / "card.toml").string());
   for (const auto& warning : found.warnings) log_warning(warning);
   if (!arguments.quiet) say_notes(found);
   const auto outputs = identify::output_files(found);

@@ -29,10 +29,11 @@ struct Identification {
   [[nodiscard]] bool shear_from_frame() const;
 };
 
-// `replaced` is the text of the card that the new one will overwrite, whose parts that nothing here measures are
+// `replaced` is the text of the card `file` that the new one will overwrite, whose parts that nothing here measures are
 // carried over (carried_parts.hpp); "" for none. Throws InputError: whatever is wrong in the fit file or in a test
 // file, all test files at once; FileError.
-[[nodiscard]] Identification identify(const FitSpec& spec, const std::string& replaced = "");
+[[nodiscard]] Identification identify(const FitSpec& spec, const std::string& replaced = "",
+                                      const std::string& file = "card.toml");
 
 // A file of the answer, to be written under its name: a text or a chart.
 struct OutputFile {
