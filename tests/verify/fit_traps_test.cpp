@@ -200,6 +200,8 @@ TEST(FitTraps, NothingTypedIntoACardIsLostAtTheNextFit) {
   edited.replace(edited.find("section = 1.25"), 14, "section = 0.80");
   const auto other = identify::identify(spec, edited);
   EXPECT_EQ(other.card.yarn[0].section, 1.25);
+  EXPECT_TRUE(other.replaces_other);
+  EXPECT_FALSE(identify::identify(spec, first.card_text).replaces_other);
   EXPECT_TRUE(says(other, "section = 0.8 in [yarn.warp], this fit gives 1.25"));
 }
 

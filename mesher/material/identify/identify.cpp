@@ -106,6 +106,7 @@ void make_card(Identification& found, const std::string& replaced, const std::st
   if (!replaced.empty()) {
     const auto said = carry_typed_parts(replaced, file, parts);
     found.warnings.insert(found.warnings.end(), said.begin(), said.end());
+    found.replaces_other = !said.empty();
   }
   found.card_text = "# Made by weaveform fit. Units: mm, MPa, tex; angles in degrees.\n" +
                     write_keys(head_keys(), HeadFile{head.name, source, found.spec.thickness()});

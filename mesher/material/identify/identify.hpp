@@ -24,6 +24,7 @@ struct Identification {
   std::string card_text;                 // the card as a file, checked by reading it back
   std::vector<std::string> assumptions;  // what was not measured, in sentences
   std::vector<std::string> warnings;
+  bool replaces_other = false;  // the card that is replaced holds what this fit does not give: it is worth keeping
   // The shear fit that made the card's law; null when the base card's was kept.
   [[nodiscard]] const ShearFit* shear() const;
   [[nodiscard]] bool shear_from_frame() const;
