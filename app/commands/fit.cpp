@@ -16,6 +16,8 @@ namespace weaveform {
 
 namespace {
 
+constexpr const char* kept_card = "card_replaced.toml";
+
 struct FitArguments {
   std::string file;
   std::string output;
@@ -58,15 +60,21 @@ void fit(const FitArguments& arguments) {
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / file.stem()
                                                                    : std::filesystem::path(arguments.output);
   const auto spec = identify::read_fit(file);
-  const auto found = identify::identify(spec, replaced_card(directory));
+  const std::string replaced = replaced_card(directory);
+  const auto found = identify::identify(spec, replaced, (directory / "card.toml").string());
   for (const auto& warning : found.warnings) log_warning(warning);
   if (!arguments.quiet) say_notes(found);
   const auto outputs = identify::output_files(found);
   OutputClaim claim{
       .directory = directory, .names = {}, .inputs = input_files(spec), .can_force = true, .force = arguments.force};
   for (const auto& output : outputs) claim.names.push_back(output.name);
+  if (found.replaces_other) claim.names.emplace_back(kept_card);
   const OutputFolder folder(claim);
   log_warning(folder.trouble());
+  if (found.replaces_other) {
+    write_text_whole(directory / kept_card, replaced);
+    log_line(fmt::format("the card that is replaced is kept as {}", (directory / kept_card).string()));
+  }
   for (const auto& output : outputs) {
     if (output.chart)
       write_chart(directory / output.name, *output.chart);

@@ -47,6 +47,35 @@ Stem stem_of(const fs::path& file) {
   return stem;
 }
 
+// The matrices of a folder, by stage and component; read once, for there may be thousands.
+class MatrixFolder {
+public:
+  explicit MatrixFolder(const fs::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored)) {
+      const auto name = matrix_name(entry.path());
+      if (name && entry.is_regular_file(ignored))
+        file_[key(*name, entry.path())].emplace(name->component, folder / entry.path().filename());
+    }
+  }
+
+  // The component's file of the same stage; "" when there is none.
+  [[nodiscard]] fs::path sister(const fs::path& file, char component) const {
+    const auto name = matrix_name(file);
+    if (!name) return {};
+    const auto stage = file_.find(key(*name, file));
+    if (stage == file_.end()) return {};
+    const auto found = stage->second.find(component);
+    return found == stage->second.end() ? fs::path() : found->second;
+  }
+
+private:
+  static std::string key(const MatrixName& name, const fs::path& file) {
+    return name.before + '/' + name.after + '/' + file.extension().string();  // no name holds a '/'
+  }
+  std::map<std::string, std::map<char, fs::path>> file_;
+};
+
 }  // namespace
 
 std::optional<MatrixName> matrix_name(const fs::path& file) {
@@ -67,35 +96,26 @@ std::optional<MatrixName> matrix_name(const fs::path& file) {
 }
 
 fs::path sister_of(const fs::path& file, char component) {
-  const auto name = matrix_name(file);
-  if (!name) return {};
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const auto other = matrix_name(entry.path());
-    if (other && other->component == component && other->before == name->before && other->after == name->after &&
-        entry.path().extension() == file.extension() && entry.is_regular_file(ignored))
-      return file.has_parent_path() ? entry.path() : entry.path().filename();
-  }
-  return {};
+  return MatrixFolder(file.parent_path()).sister(file, component);
 }
 
 std::vector<fs::path> stages_of_matrices(const std::vector<fs::path>& files, const std::vector<bool>& listed) {
+  std::map<fs::path, MatrixFolder> folders;
   // u's file for every file that belongs to a pair of u and v
   std::vector<fs::path> stage(files.size());
-  std::set<fs::path> folders;
+  std::set<fs::path> with_matrices;
   for (std::size_t k = 0; k < files.size(); ++k) {
-    const auto name = matrix_name(files[k]);
-    if (!name) continue;
-    const fs::path u = name->component == 'u' ? files[k] : sister_of(files[k], 'u');
-    if (u.empty() || sister_of(u, 'v').empty()) continue;
+    const fs::path parent = files[k].parent_path();
+    const MatrixFolder& folder = folders.try_emplace(parent, parent).first->second;
+    const fs::path u = folder.sister(files[k], 'u');
+    if (u.empty() || folder.sister(files[k], 'v').empty()) continue;
     stage[k] = u;
-    folders.insert(files[k].parent_path());
+    with_matrices.insert(parent);
   }
   std::vector<fs::path> kept;
   std::set<fs::path> seen;
   for (std::size_t k = 0; k < files.size(); ++k) {
-    if (stage[k].empty() && !listed[k] && folders.count(files[k].parent_path()) > 0) continue;
+    if (stage[k].empty() && !listed[k] && with_matrices.count(files[k].parent_path()) > 0) continue;
     const fs::path& file = stage[k].empty() ? files[k] : stage[k];
     if (seen.insert(file).second) kept.push_back(file);
   }

@@ -62,7 +62,7 @@ MeasuredStage read_subsets(const PointTable& table, double factor, bool down, Me
 }  // namespace
 
 bool names_pyvale(const std::vector<std::string>& heading) {
-  return has_columns(heading, {"window_x", "window_y", "def_grad_00", "def_grad_11"}) ||
+  return has_columns(heading, {"window_x", "window_y", "def_grad_00", "def_grad_01", "def_grad_10", "def_grad_11"}) ||
          has_columns(heading, {"subset_x", "subset_y", "displacement_u", "displacement_v"});
 }
 

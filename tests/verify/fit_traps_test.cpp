@@ -154,6 +154,8 @@ TEST(FitTraps, BendingAndADryYarnsSectionReachTheCard) {
                                    "[yarn]\nlinear_density = 600\nfibre_volume_fraction = 0.6\nfibre_density = 2.5\n"
                                    "matrix_density = 0\n");
   EXPECT_NEAR(dry.card.yarn[0].section, 600e-6 / (0.6 * 2.5e-3), 1e-12);
+  // a section needs no densities beside it: whoever corrects it in the card has one number to correct
+  EXPECT_EQ(folder.identify(yarn_fit).card_text.find("fibre_density"), std::string::npos);
   // another yarn has another section: by the base card's Eq. 11
   const auto other = folder.identify(yarn_fit + "[yarn]\nlinear_density = 935\n");
   EXPECT_NEAR(other.card.yarn[0].section, 0.5 * 1.2598, 1e-3);
@@ -186,10 +188,20 @@ TEST(FitTraps, NothingTypedIntoACardIsLostAtTheNextFit) {
                        [&](const auto& warning) { return warning.find(words) != std::string::npos; });
   };
   EXPECT_TRUE(says(again, "carried over from the card that is replaced: rigidity, twist of [bending]"));
+  // a card that cannot be read is not replaced
+  try {
+    (void)identify::identify(spec, edited + "[bending]\n", "out/card.toml");
+    ADD_FAILURE() << "a damaged card was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("out/card.toml:"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("would be replaced"), std::string::npos) << error.what();
+  }
   // what the fit gives otherwise is told
   edited.replace(edited.find("section = 1.25"), 14, "section = 0.80");
   const auto other = identify::identify(spec, edited);
   EXPECT_EQ(other.card.yarn[0].section, 1.25);
+  EXPECT_TRUE(other.replaces_other);
+  EXPECT_FALSE(identify::identify(spec, first.card_text).replaces_other);
   EXPECT_TRUE(says(other, "section = 0.8 in [yarn.warp], this fit gives 1.25"));
 }
 

@@ -88,13 +88,15 @@ toml::table family_table(const toml::table& root, const std::string& family) {
 
 }  // namespace
 
-std::vector<std::string> carry_typed_parts(const std::string& replaced, CardParts& parts) {
+std::vector<std::string> carry_typed_parts(const std::string& replaced, const std::string& file, CardParts& parts) {
   std::vector<std::string> said;
   try {
-    (void)read_card_text(replaced, "card.toml");
+    (void)read_card_text(replaced, file);
   } catch (const InputError& error) {
-    return {fmt::format("the card that is replaced cannot be read, so nothing of it is carried over: {}",
-                        error.complaints().front())};
+    throw InputError(
+        fmt::format("{}; this card would be replaced and what was typed into it lost: correct it, or move "
+                    "it away",
+                    error.complaints().front()));
   }
   const toml::table root = parse_toml(replaced, "card.toml");
   Complaints none("card.toml");

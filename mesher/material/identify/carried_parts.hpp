@@ -15,9 +15,10 @@ struct CardParts {
   BendingCard bending;
 };
 
-// Keys of the yarns and of [bending] that `replaced` (the text of a card file) has and `parts` lack are taken over. One
-// line each for what was, and for values that the fit does not measure and gives otherwise. A text that is no card
-// gives one line and nothing else.
-[[nodiscard]] std::vector<std::string> carry_typed_parts(const std::string& replaced, CardParts& parts);
+// Keys of the yarns and of [bending] that `replaced` (the text of a card file, `file` in messages) has and `parts` lack
+// are taken over. One line each for what was, and for values that the fit does not measure and gives otherwise. Throws
+// InputError for a text that is no card, which would be lost.
+[[nodiscard]] std::vector<std::string> carry_typed_parts(const std::string& replaced, const std::string& file,
+                                                         CardParts& parts);
 
 }  // namespace weaveform::identify

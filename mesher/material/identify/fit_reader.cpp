@@ -82,15 +82,27 @@ void read_yarn_table(const toml::table& table, const std::string& title, YarnFil
                                title, yarn.linear_density, linear_density, *yarn.section));
 }
 
+// A card with a section of its own needs no densities, which a hand that corrects the section would have to correct
+// too.
+void drop_unused_densities(const toml::table* common, const toml::table* own, YarnFile& yarn) {
+  const auto typed = [&](const char* key) {
+    return (common != nullptr && common->contains(key)) || (own != nullptr && own->contains(key));
+  };
+  if (!yarn.section || typed("fibre_volume_fraction") || typed("fibre_density") || typed("matrix_density")) return;
+  yarn.fibre_volume_fraction = yarn.fibre_density = yarn.matrix_density = std::nullopt;
+}
+
 void read_yarns(const toml::table& root, FitSpec& spec, Complaints& complaints) {
   const toml::table* common = table_at(root, "yarn", "yarn", complaints);
   for (std::size_t f = 0; f < families.size(); ++f) {
     YarnFile& yarn = spec.yarn[f];
+    const toml::table* own = nullptr;
     if (common != nullptr) {
       read_yarn_table(*common, "[yarn]", yarn, complaints);
-      const toml::table* own = table_at(*common, families[f], "yarn." + families[f], complaints);
+      own = table_at(*common, families[f], "yarn." + families[f], complaints);
       if (own != nullptr) read_yarn_table(*own, "[yarn." + families[f] + "]", yarn, complaints);
     }
+    drop_unused_densities(common, own, yarn);
     const toml::node& place = common != nullptr ? static_cast<const toml::node&>(*common) : root;
     const auto lacks = [&](const char* key, const char* unit) {
       complaints.add(place, fmt::format("the {} yarn lacks '{}' ({}) and no base card gives it; add it to [yarn] or "

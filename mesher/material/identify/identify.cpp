@@ -97,15 +97,16 @@ std::string shear_text(const Identification& found) {
   return "\n[shear]\n" + write_keys(shear_keys(), shear);
 }
 
-void make_card(Identification& found, const std::string& replaced) {
+void make_card(Identification& found, const std::string& replaced, const std::string& file) {
   const FitHead& head = found.spec.head;
   std::string source = head.source;
   if (found.spec.has_base)
     source += fmt::format("{}parts not measured are those of {}", source.empty() ? "" : "; ", head.base);
   CardParts parts{{yarn_file(found, 0), yarn_file(found, 1)}, found.spec.bending};
   if (!replaced.empty()) {
-    const auto said = carry_typed_parts(replaced, parts);
+    const auto said = carry_typed_parts(replaced, file, parts);
     found.warnings.insert(found.warnings.end(), said.begin(), said.end());
+    found.replaces_other = !said.empty();
   }
   found.card_text = "# Made by weaveform fit. Units: mm, MPa, tex; angles in degrees.\n" +
                     write_keys(head_keys(), HeadFile{head.name, source, found.spec.thickness()});
@@ -175,7 +176,7 @@ const ShearFit* Identification::shear() const {
   return bias ? &*bias : nullptr;
 }
 
-Identification identify(const FitSpec& spec, const std::string& replaced) {
+Identification identify(const FitSpec& spec, const std::string& replaced, const std::string& file) {
   Identification found;
   found.spec = spec;
   fit_yarns(found);
@@ -187,7 +188,7 @@ Identification identify(const FitSpec& spec, const std::string& replaced) {
   if (!spec.bias_extension.empty()) found.bias = fit_bias_extensions(spec);
   warn("shear frame", found.frame);
   warn("bias extension", found.bias);
-  make_card(found, replaced);
+  make_card(found, replaced, file);
   compare_with_base(found);
   say_assumptions(found);
   return found;

@@ -24,15 +24,17 @@ struct Identification {
   std::string card_text;                 // the card as a file, checked by reading it back
   std::vector<std::string> assumptions;  // what was not measured, in sentences
   std::vector<std::string> warnings;
+  bool replaces_other = false;  // the card that is replaced holds what this fit does not give: it is worth keeping
   // The shear fit that made the card's law; null when the base card's was kept.
   [[nodiscard]] const ShearFit* shear() const;
   [[nodiscard]] bool shear_from_frame() const;
 };
 
-// `replaced` is the text of the card that the new one will overwrite, whose parts that nothing here measures are
+// `replaced` is the text of the card `file` that the new one will overwrite, whose parts that nothing here measures are
 // carried over (carried_parts.hpp); "" for none. Throws InputError: whatever is wrong in the fit file or in a test
 // file, all test files at once; FileError.
-[[nodiscard]] Identification identify(const FitSpec& spec, const std::string& replaced = "");
+[[nodiscard]] Identification identify(const FitSpec& spec, const std::string& replaced = "",
+                                      const std::string& file = "card.toml");
 
 // A file of the answer, to be written under its name: a text or a chart.
 struct OutputFile {

@@ -530,6 +530,12 @@ TEST_F(DicReader, UnknownColumnsBesideXyuvAreAskedAbout) {
   EXPECT_TRUE(says(bare, "is it in mm, m, um, in or pixels?")) << bare;
 }
 
+TEST_F(DicReader, PyvaleGradientsWithoutAllComponentsAreAnUnknownTable) {
+  const std::string text =
+      refusal("window_x,window_y,def_grad_00,def_grad_01,other,def_grad_11\n0,0,1,0,0,1\n1,0,1,0,0,1\n");
+  EXPECT_TRUE(says(text, "which program wrote this?")) << text;
+}
+
 TEST_F(DicReader, AnyTableThroughAMap) {
   spec.format = "columns";
   spec.x = "pos x";
