@@ -72,14 +72,17 @@ protected:
     must("weaveform run tiny.toml --output cut --quiet --set blank.fit=none --set output.frames=2");
     must("weaveform run tiny.toml --output fitted --quiet --set output.frames=1");
     must("weaveform run tool.toml --output tool --quiet --set output.frames=1");
+    must(
+        "weaveform post virtual cut --format aramis --output lab --set instrument.facet_size=6 --set virtual.stages=1");
+    must("weaveform post compare cut lab/stages --settings lab/settings.toml --output compared");
     must("weaveform export cut --format vtu --output fibres.vtu --quiet");
     must("weaveform export tiny.toml --format gmsh --output mesh.msh --quiet --set blank.fit=none");
     must("weaveform export tiny.toml --format abaqus --output shells.inp --quiet --set model.cell=shell");
     must(std::string("weaveform drape ") + WEAVEFORM_SOURCE_DIR + "/examples/drape_hemisphere.toml --output drape");
   }
   const std::vector<std::string> grids = {
-      "cut/mesh.vtu", "fitted/mesh.vtu", "cut/frames/frame_0002.vtu", "tool/mesh.vtu", "tool/frames/frame_0001.vtu",
-      "fibres.vtu",   "drape/drape.vtu"};
+      "cut/mesh.vtu", "fitted/mesh.vtu", "cut/frames/frame_0002.vtu",    "tool/mesh.vtu", "tool/frames/frame_0001.vtu",
+      "fibres.vtu",   "drape/drape.vtu", "compared/stages/stage_001.vtu"};
 
 private:
   TemporaryFolder folder_;
