@@ -111,6 +111,22 @@ TEST_F(ReadBack, MeshioOpensMeshesAndResults) {
     EXPECT_TRUE(found["mesh.msh"].has(name)) << found["mesh.msh"].names;
 }
 
+// Our mesh through meshio, in each of the formats that both write and read: it comes in as a foreign one.
+TEST_F(ReadBack, MeshesOfMeshioComeIn) {
+  if (!has("meshio")) GTEST_SKIP() << "python3-meshio is not installed";
+  write_text(tiny_scene(), file("tiny.toml"));
+  must("weaveform mesh tiny.toml --output made --quiet");
+  must("weaveform export tiny.toml --format gmsh --output mesh.msh --quiet");
+  must(python + " " + WEAVEFORM_SOURCE_DIR + "/tests/data/rewrite_mesh.py mesh.msh");
+  const weaveform::Mesh mesh = weaveform::read_mesh(file("made") / "mesh.vtu");
+  for (const std::string name : {"meshio.inp", "meshio_22.msh", "meshio_22_binary.msh"}) {
+    must("weaveform import " + name + " --scene tiny.toml --output back --quiet");
+    const weaveform::Mesh back = weaveform::read_mesh(file("back") / "mesh.vtu");
+    EXPECT_EQ(back.yarn_count(), mesh.yarn_count()) << name;
+    EXPECT_EQ(back.cells.size(), mesh.cells.size()) << name;
+  }
+}
+
 TEST_F(ReadBack, VtkOpensThemAll) {
   if (!has("vtkmodules.vtkIOXML")) GTEST_SKIP() << "python3-vtk9 is not installed";
   write_all();
