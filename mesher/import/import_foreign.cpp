@@ -11,6 +11,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/export/gathered.hpp"
 #include "mesher/import/choose_fabric.hpp"
+#include "mesher/import/foreign_sets.hpp"
 #include "mesher/import/import.hpp"
 #include "mesher/import/text_words.hpp"
 #include "mesher/lattice/cut_cells.hpp"
@@ -400,87 +401,6 @@ struct Recovery {
             mesh.nodes.position[n][0], mesh.nodes.position[n][1]));
   }
 
-  // Nodes of the fabric in the sets of that name. Sets of several parts may share it; those of other parts are empty.
-  std::vector<int> grip_nodes(const std::string& name, std::vector<int>& taken, bool& known) const {
-    std::vector<int> held;
-    for (const auto& set : file.node_sets) {
-      if (upper(set.name) != upper(name) && upper(set.name) != upper(foreign::plain_name(name))) continue;
-      known = true;
-      const std::vector<int> all = members(set);
-      if (!held.empty() && !all.empty() && held != all)
-        throw InputError(
-            fmt::format("{}: grip '{}': two node sets of that name hold different nodes of the fabric, one "
-                        "of its part and one of the assembly; rename one of them",
-                        file.file, name));
-      if (!all.empty()) held = all;
-    }
-    held.erase(std::remove_if(held.begin(), held.end(), [&](int n) { return taken[n] != 0; }), held.end());
-    for (const int n : held) taken[n] = 1;  // the first grip wins where two meet
-    return held;
-  }
-
-  void keep_grips() {
-    std::vector<std::string> missing;
-    std::vector<int> taken(place.size(), 0);
-    for (const auto& grip : scene.grip) {
-      bool known = false;
-      mesh.sets.push_back({grip.name, grip_nodes(grip.name, taken, known)});
-      if (!mesh.sets.back().node.empty()) continue;
-      missing.push_back(fmt::format(
-          "{}: grip '{}': {}", file.file, grip.name,
-          known ? "its node set holds no node of the fabric" : "the mesh has no node set of that name" + known_sets()));
-    }
-    if (!missing.empty()) throw InputError(missing);
-  }
-
-  std::string known_sets() const {
-    std::string names;
-    int count = 0;
-    for (const auto& set : file.node_sets) {
-      if (members(set).empty() || is_internal(set)) continue;
-      if (++count > 8) return "; its sets: " + names + ", ...";
-      names += (names.empty() ? "'" : ", '") + set.name + "'";
-    }
-    return names.empty() ? "" : "; its sets: " + names;
-  }
-
-  bool is_internal(const NodeSet& set) const {
-    return std::find(file.internal_sets.begin(), file.internal_sets.end(), upper(set.name)) != file.internal_sets.end();
-  }
-
-  void keep_sets() {
-    keep_grips();
-    for (const auto& set : file.node_sets) {
-      const std::string name = upper(set.name);
-      const auto same = [&](const NodeSet& s) {
-        return upper(s.name) == name || upper(foreign::plain_name(s.name)) == name;
-      };
-      if (name == "WARP" || name == "WEFT" || name == "CELLS" || name == "ALL_NODES" || name == "OUTLINE" ||
-          is_internal(set) || std::any_of(mesh.sets.begin(), mesh.sets.end(), same))
-        continue;
-      const std::vector<int> node = members(set);
-      if (!node.empty())
-        mesh.sets.push_back({set.name, node});
-      else if (file.instance.size() == 1)  // else it is another part's
-        notes.push_back(fmt::format("node set '{}' holds no node of the fabric; left out", set.name));
-    }
-    std::vector<int> elements(place.size(), 0);
-    for (const auto& ends : mesh.yarns.node)
-      for (const int n : ends) ++elements[n];
-    NodeSet outline{"outline", {}};
-    for (std::size_t n = 0; n < place.size(); ++n)
-      if (elements[n] < 4) outline.node.push_back(static_cast<int>(n));
-    mesh.sets.push_back(outline);
-  }
-
-  std::vector<int> members(const NodeSet& set) const {
-    std::vector<int> node;
-    for (const int n : set.node)
-      if (ours[n] >= 0) node.push_back(ours[n]);
-    std::sort(node.begin(), node.end());
-    return node;
-  }
-
   std::vector<lattice::Hold> holds() const {
     std::vector<lattice::Hold> hold(place.size(), lattice::Hold::free);
     for (std::size_t g = 0; g < scene.grip.size(); ++g)
@@ -510,7 +430,7 @@ ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const C
   work.lay_cells();
   work.check_all_held_together();
   work.count_yarns();
-  work.keep_sets();
+  keep_node_sets(file, scene, work.ours, work.mesh, work.notes);
   Mesh& mesh = work.mesh;
   mesh.thickness = card.thickness;
   const std::array<double, 2> coarsening = {mesh.spacing[1] / card.yarn[0].interval,
@@ -522,22 +442,6 @@ ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const C
       "{:.4g} (warp) and {:.4g} (weft); masses, jaws and soft ends are ours",
       mesh.cells.size(), mesh.yarn_count(), mesh.spacing[0], mesh.spacing[1], coarsening[0], coarsening[1]));
   return {std::move(mesh), "", std::move(work.notes)};
-}
-
-std::optional<std::string> tool_surface(const ForeignMesh& file, const std::string& tool) {
-  std::string text = fmt::format("solid {}\n", foreign::plain_name(tool));
-  const std::vector<int> shells = shells_named(file, tool);
-  for (const int each : shells) {
-    const ForeignElement& shell = file.shells[each];
-    for (std::size_t k = 1; k + 1 < shell.node.size(); ++k) {
-      text += "facet normal 0 0 0\nouter loop\n";
-      for (const int n : {shell.node[0], shell.node[k], shell.node[k + 1]})
-        text += fmt::format("vertex {} {} {}\n", file.position[n][0], file.position[n][1], file.position[n][2]);
-      text += "endloop\nendfacet\n";
-    }
-  }
-  if (shells.empty()) return std::nullopt;
-  return text + fmt::format("endsolid {}\n", foreign::plain_name(tool));
 }
 
 }  // namespace weaveform

@@ -14,7 +14,8 @@ struct Base {
   InpType type;
 };
 
-// What is left of a name without the letters that say how an element is integrated or what else it solves for.
+// What is left of a name without the letters that say how an element is integrated or what else it solves for. Plane
+// and axisymmetric elements too: meshes of no analysis yet are written as these (Gmsh: CPS4, meshio: CAX4P).
 constexpr std::array bases = {
     Base{"T2D2", {InpShape::line, 2}},
     Base{"T3D2", {InpShape::line, 2}},
@@ -34,6 +35,12 @@ constexpr std::array bases = {
     Base{"DS3", {InpShape::triangle, 3}},
     Base{"CPS3", {InpShape::triangle, 3}},
     Base{"CPE3", {InpShape::triangle, 3}},
+    Base{"CAX3", {InpShape::triangle, 3}},
+    Base{"CPEG3", {InpShape::triangle, 3}},
+    Base{"CAX6", {InpShape::triangle, 6}},
+    Base{"CAX4", {InpShape::quadrilateral, 4}},
+    Base{"CPEG4", {InpShape::quadrilateral, 4}},
+    Base{"CAX8", {InpShape::quadrilateral, 8}},
     Base{"DC2D3", {InpShape::triangle, 3}},
     Base{"M3D6", {InpShape::triangle, 6}},
     Base{"SFM3D6", {InpShape::triangle, 6}},

@@ -20,7 +20,8 @@ namespace weaveform::mesh_format {
 //   point data   mass_t, crossing (i, j), flat_position_mm (of a blank that starts draped only), and one array of 0 and
 //   1 per node set, named with the prefix below field data   spacing_mm, lattice_size, thickness_mm, coefficient_per_mm
 //   (two per entry of the shear cells'
-//                connectivity), tie_count, tie_node (node, the two it follows) and tie_share where there are any, frame_corner (4 nodes, -1: no frame)
+//                connectivity), tie_count, tie_node (node, the two it follows) and tie_share where there are any,
+//                frame_corner (4 nodes, -1: no frame)
 inline const std::string set_prefix = "set_";
 inline const std::string flat_name = "flat_position_mm";
 

@@ -161,9 +161,13 @@ void get_field_data(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
 
 void get_ties(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
   const VtuArray* corner = wanted.array<std::int32_t>(grid.field_data, "frame_corner", 4, 1);
-  const VtuArray* count = wanted.array<std::int32_t>(grid.field_data, "tie_count", 1, 1);
-  wanted.stop_if_any();
-  const auto ties = static_cast<std::size_t>(std::max(count->at<std::int32_t>(0), 0));
+  const VtuArray* before = find_array(grid.field_data, "tie_node");  // of versions without a count
+  std::size_t ties = before == nullptr ? 0 : before->tuples;
+  if (before == nullptr || find_array(grid.field_data, "tie_count") != nullptr) {
+    const VtuArray* count = wanted.array<std::int32_t>(grid.field_data, "tie_count", 1, 1);
+    wanted.stop_if_any();
+    ties = static_cast<std::size_t>(std::max(count->at<std::int32_t>(0), 0));
+  }
   const VtuArray *node = nullptr, *share = nullptr;
   if (ties > 0) {
     node = wanted.array<std::int32_t>(grid.field_data, "tie_node", 3, ties);

@@ -96,7 +96,8 @@ void note(const DxfDrawing& drawing, const DxfCurves& curves, const DxfAsked& as
 }  // namespace
 
 bool is_dxf_file(const std::string& file) {
-  return upper(std::filesystem::path(file).extension().string()) == ".DXF";
+  const std::string ending = upper(std::filesystem::path(file).extension().string());
+  return ending == ".DXF" || ending == ".DWG";
 }
 
 DxfOutline read_dxf_outline(const std::string& file, const DxfAsked& asked, std::vector<std::string>& complaints) {

@@ -20,7 +20,7 @@ struct DxfOutline {
   std::vector<std::string> notes;
 };
 
-// By its ending, in any case of letters.
+// By its ending, in any case of letters: .dxf, and .dwg, which is then refused by its name.
 [[nodiscard]] bool is_dxf_file(const std::string& file);
 
 // Lines, polylines with arcs, arcs, circles, ellipses and splines of the layers, those within blocks too, joined end to

@@ -468,6 +468,54 @@ TEST_F(Export, ADamagedStructuralMeshIsRefused) {
   EXPECT_FALSE(fs::exists(file("no.csv")));
 }
 
+// The command line of a structural mesh that lies elsewhere, in another unit, with more than one part.
+TEST_F(Export, AStructureIsAskedForItsUnitAndPlace) {
+  must("weaveform run tiny.toml --output formed --quiet --set output.frames=1");
+  std::string part = "*Node\n";
+  int number = 0;
+  for (int j = 0; j <= 4; ++j)
+    for (int i = 0; i <= 4; ++i)
+      part += std::to_string(++number) + ", " + std::to_string(0.01 * (i - 2)) + ", " + std::to_string(0.01 * (j - 2)) +
+              ", 0.\n";
+  part += "*Element, type=S4R\n";
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const int n = 5 * j + i + 1;
+      part += std::to_string(4 * j + i + 1) + ", " + std::to_string(n) + ", " + std::to_string(n + 1) + ", " +
+              std::to_string(n + 6) + ", " + std::to_string(n + 5) + "\n";
+    }
+  write_text("*Part, name=SKIN\n" + part + "*End Part\n", file("skin.inp"));
+  const std::string onto = "weaveform export formed --format csv --force --output s.csv --onto ";
+  const CommandResult asked = run(onto + "skin.inp");
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_NE(asked.err.find("is the file in metres? Give --unit m"), std::string::npos) << asked.err;
+  const CommandResult told = run(onto + "skin.inp --unit m");
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_EQ(told.err, "") << "all shells lie on the fabric";
+  const CommandResult away = run(onto + "skin.inp --unit m --position 0,0,500");
+  EXPECT_EQ(away.exit_code, 2);
+  EXPECT_NE(away.err.find("no shell lies within"), std::string::npos) << away.err;
+  // half of it hangs over the blank's side
+  const CommandResult over = run(onto + "skin.inp --unit m --position 50,0,0 --rotation 0,0,1,90 --within 5");
+  EXPECT_EQ(over.exit_code, 0);
+  EXPECT_NE(over.err.find(" of 16 shells lie farther than 5 mm"), std::string::npos) << over.err;
+  // two instances number alike; one of them is turned
+  write_text(
+      "*Part, name=SKIN\n" + part +
+          "*End Part\n*Assembly, name=A\n*Instance, name=low, part=SKIN\n*End Instance\n"
+          "*Instance, name=high, part=SKIN\n0., 0., 0.005\n0., 0., 0., 0., 0., 1., 30.\n*End Instance\n*End Assembly\n",
+      file("two.inp"));
+  EXPECT_NE(run(onto + "two.inp --unit m").err.find("--part NAME"), std::string::npos);
+  EXPECT_EQ(run(onto + "two.inp --unit m --part low").exit_code, 0);
+  EXPECT_EQ(run(onto + "two.inp --unit m --part high").exit_code, 0);
+  const CommandResult turned =
+      run("weaveform export formed --format orientation-abaqus --output s.inp --onto two.inp --unit m --part high");
+  EXPECT_EQ(turned.exit_code, 2);
+  EXPECT_NE(turned.err.find("'high' is turned"), std::string::npos) << turned.err;
+  EXPECT_EQ(run("weaveform export formed --format csv --output t.csv --unit m").exit_code, 2) << "no --onto";
+  EXPECT_EQ(run("weaveform export formed --format csv --output t.csv --group-angle 1").exit_code, 2);
+}
+
 TEST_F(Export, WrongUseIsWrongInput) {
   for (const std::string command :
        {"weaveform export tiny.toml --format step --output a", "weaveform export tiny.toml --format gmsh",

@@ -72,14 +72,17 @@ protected:
     must("weaveform run tiny.toml --output cut --quiet --set blank.fit=none --set output.frames=2");
     must("weaveform run tiny.toml --output fitted --quiet --set output.frames=1");
     must("weaveform run tool.toml --output tool --quiet --set output.frames=1");
+    must(
+        "weaveform post virtual cut --format aramis --output lab --set instrument.facet_size=6 --set virtual.stages=1");
+    must("weaveform post compare cut lab/stages --settings lab/settings.toml --output compared");
     must("weaveform export cut --format vtu --output fibres.vtu --quiet");
     must("weaveform export tiny.toml --format gmsh --output mesh.msh --quiet --set blank.fit=none");
     must("weaveform export tiny.toml --format abaqus --output shells.inp --quiet --set model.cell=shell");
     must(std::string("weaveform drape ") + WEAVEFORM_SOURCE_DIR + "/examples/drape_hemisphere.toml --output drape");
   }
   const std::vector<std::string> grids = {
-      "cut/mesh.vtu", "fitted/mesh.vtu", "cut/frames/frame_0002.vtu", "tool/mesh.vtu", "tool/frames/frame_0001.vtu",
-      "fibres.vtu",   "drape/drape.vtu"};
+      "cut/mesh.vtu", "fitted/mesh.vtu", "cut/frames/frame_0002.vtu",    "tool/mesh.vtu", "tool/frames/frame_0001.vtu",
+      "fibres.vtu",   "drape/drape.vtu", "compared/stages/stage_001.vtu"};
 
 private:
   TemporaryFolder folder_;
@@ -106,6 +109,22 @@ TEST_F(ReadBack, MeshioOpensMeshesAndResults) {
     EXPECT_TRUE(found["tool/frames/frame_0001.vtu"].has(name)) << name;
   for (const std::string name : {"section_mm2", "gmsh:physical", "warp", "top"})
     EXPECT_TRUE(found["mesh.msh"].has(name)) << found["mesh.msh"].names;
+}
+
+// Our mesh through meshio, in each of the formats that both write and read: it comes in as a foreign one.
+TEST_F(ReadBack, MeshesOfMeshioComeIn) {
+  if (!has("meshio")) GTEST_SKIP() << "python3-meshio is not installed";
+  write_text(tiny_scene(), file("tiny.toml"));
+  must("weaveform mesh tiny.toml --output made --quiet");
+  must("weaveform export tiny.toml --format gmsh --output mesh.msh --quiet");
+  must(python + " " + WEAVEFORM_SOURCE_DIR + "/tests/data/rewrite_mesh.py mesh.msh");
+  const weaveform::Mesh mesh = weaveform::read_mesh(file("made") / "mesh.vtu");
+  for (const std::string name : {"meshio.inp", "meshio_22.msh", "meshio_22_binary.msh"}) {
+    must("weaveform import " + name + " --scene tiny.toml --output back --quiet");
+    const weaveform::Mesh back = weaveform::read_mesh(file("back") / "mesh.vtu");
+    EXPECT_EQ(back.yarn_count(), mesh.yarn_count()) << name;
+    EXPECT_EQ(back.cells.size(), mesh.cells.size()) << name;
+  }
 }
 
 TEST_F(ReadBack, VtkOpensThemAll) {

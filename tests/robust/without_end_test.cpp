@@ -89,7 +89,7 @@ TEST_F(WithoutEnd, TheOutlyingPointOfAnOutlineIsNamed) {
 }
 
 TEST_F(WithoutEnd, MoreFramesThanTheDiskHoldsAreRefused) {
-  // 10,000 frames of 1e5 cells are 340 GB; where the disk has that, there is nothing to refuse
+  // 10,000 frames of 1e5 cells are 200 GB; where the disk has that, there is nothing to refuse
   const auto result =
       run("check tiny.toml --set output.frames=10000 --set blank.size=[115,230] --set blank.coarsening=0.1 "
           "--set analysis.most_hours=1e5");

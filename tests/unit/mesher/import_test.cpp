@@ -302,7 +302,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"OneField", ".inp", "*NODE\n1\n", 2, "its coordinates"},
                     Malformed{"WordForNumber", ".inp", "*NODE\n1, 0, x, 0\n", 2, "'x'"},
                     Malformed{"NodeTwice", ".inp", inp + "3, 1, 1, 0\n", 5, "twice"},
-                    Malformed{"UnknownType", ".inp", inp + "*ELEMENT, TYPE=CAX4\n", 5, "CAX4"},
+                    Malformed{"UnknownType", ".inp", inp + "*ELEMENT, TYPE=B32\n", 5, "B32"},
                     Malformed{"MissingNode", ".inp", inp + "*ELEMENT, TYPE=T3D2\n1, 1, 9\n", 6, "node 9"},
                     Malformed{"WrongNumberOfNodes", ".inp", inp + "*ELEMENT, TYPE=M3D4\n1, 1, 2, 3\n", 6, "4 nodes"},
                     Malformed{"ElementTwice", ".inp", inp + "*ELEMENT, TYPE=T3D2\n1, 1, 2\n1, 2, 3\n", 7, "twice"},

@@ -130,8 +130,8 @@ TEST_F(Deck, ElementTypesAreReadByWhatTheyAre) {
     EXPECT_EQ(shape(type, "1, 1, 2").first, 1U) << type;
   for (const char* type : {"S3", "S3R", "S3RS", "STRI3", "M3D3", "R3D3", "CPS3", "CPE3", "CPE3H", "SFM3D3"})
     EXPECT_EQ(shape(type, "1, 1, 2, 3").second, 3U) << type;
-  for (const char* type :
-       {"S4", "S4R", "S4RS", "S4RSW", "S4R5", "M3D4", "M3D4R", "R3D4", "CPS4", "CPS4R", "CPS4I", "CPE4RH", "SFM3D4R"})
+  for (const char* type : {"S4", "S4R", "S4RS", "S4RSW", "S4R5", "M3D4", "M3D4R", "R3D4", "CPS4", "CPS4R", "CPS4I",
+                           "CPE4RH", "SFM3D4R", "CAX4P"})
     EXPECT_EQ(shape(type, "1, 1, 2, 3, 4").second, 4U) << type;
   for (const char* type : {"S8R", "S8R5", "M3D8", "CPS8", "CPE8R"})
     EXPECT_EQ(shape(type, "1, 1, 2, 3, 4, 5, 6,\n7, 8").second, 4U) << type;

@@ -130,7 +130,7 @@ TEST_F(MeshFile, GarbageAndCutFilesAreFileErrors) {
 TEST_F(MeshFile, AForeignGridIsAnInputErrorThatNamesWhatIsMissing) {
   const fs::path file = folder_ / "mesh.vtu";
   write_mesh(sample(), file);
-  for (const std::string array : {"softening", "family", "crossing", "coefficient_per_mm"}) {
+  for (const std::string array : {"softening", "family", "crossing", "coefficient_per_mm", "tie_node"}) {
     std::string text = contents(file);
     const auto at = text.find("\"" + array + "\"");
     ASSERT_NE(at, std::string::npos);
@@ -143,6 +143,18 @@ TEST_F(MeshFile, AForeignGridIsAnInputErrorThatNamesWhatIsMissing) {
       EXPECT_NE(std::string(error.what()).find(array), std::string::npos) << error.what();
     }
   }
+}
+
+// Versions before wrote no number of ties.
+TEST_F(MeshFile, OfAVersionBeforeReadsBackToo) {
+  const fs::path file = folder_ / "mesh.vtu";
+  const Mesh mesh = sample();
+  ASSERT_FALSE(mesh.tie.empty());
+  write_mesh(mesh, file);
+  std::string text = contents(file);
+  text[text.find("\"tie_count\"") + 1] = 'X';
+  std::ofstream(file, std::ios::binary) << text;
+  EXPECT_EQ(read_mesh(file).tie.size(), mesh.tie.size());
 }
 
 }  // namespace
