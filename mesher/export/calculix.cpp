@@ -293,9 +293,9 @@ void list_losses(const Gathered& model, std::vector<std::string>& lost) {
   if (model.scene.model.cell == "shell" || model.scene.model.cell == "rotation-free")
     lost.push_back(fmt::format("model.cell = \"{}\": bending of the cells", model.scene.model.cell));
   for (const auto& motion : model.tools)
-    lost.push_back(fmt::format(
-        "tool '{}': contact is between surfaces of elements in CalculiX, and springs have none; not written",
-        motion.tool.name));
+    lost.push_back(
+        fmt::format("tool '{}': not written; contact of nodes on springs with rigid tools did not converge in CalculiX",
+                    motion.tool.name));
 }
 
 }  // namespace

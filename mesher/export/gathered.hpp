@@ -75,8 +75,11 @@ struct Gathered {
   [[nodiscard]] double shell_density() const;                   // tonne/mm^3
   [[nodiscard]] double member_section() const;                  // mm^2
   [[nodiscard]] double member_density() const;                  // tonne/mm^3; with frame.mass_scale
-  // N mm^2; of all yarns of the group, in the fabric's plane and out of it; none where neither scene nor card says.
-  [[nodiscard]] std::optional<std::array<double, 2>> bending(const YarnGroup& group) const;
+  // mm^4; EI/E of all yarns of the group as beams of the card's linear modulus, for bending in the fabric's plane and
+  // out of it. Throws InputError where neither scene nor card says how they bend.
+  [[nodiscard]] std::array<double, 2> second_moments(const YarnGroup& group) const;
+  // A node beside a yarn element in the fabric's plane, which says how a beam's section lies; -1: there is none.
+  [[nodiscard]] int node_beside(int element) const;
 };
 
 // Cells as the writers cut them: three and four nodes as they are, five as 4 + 3, six as 4 + 4.
