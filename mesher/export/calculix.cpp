@@ -287,8 +287,7 @@ void list_losses(const Gathered& model, std::vector<std::string>& lost) {
       "points, which is all that CalculiX reads");
   lost.push_back(
       "cells: two springs across each with the shear law's table: exact while yarns keep their length; stretching "
-      "yarns "
-      "by e also takes about G e^2 per volume, G the shear law's tangent");
+      "yarns by e also takes about G e^2 per volume, G the shear law's tangent");
   if (model.scene.model.yarn == "beam") lost.push_back("model.yarn = \"beam\": bending of the yarns");
   if (model.scene.model.cell == "shell" || model.scene.model.cell == "rotation-free")
     lost.push_back(fmt::format("model.cell = \"{}\": bending of the cells", model.scene.model.cell));

@@ -316,6 +316,16 @@ std::vector<Constant> shear_constants(const Gathered& model) {
   return constants;
 }
 
+void amend(std::vector<std::string>& lost, const std::string& begin, const std::string& addition) {
+  for (auto& line : lost)
+    if (line.rfind(begin, 0) == 0) line += addition;
+}
+
+void replace(std::vector<std::string>& lost, const std::string& begin, const std::string& line) {
+  for (auto& old : lost)
+    if (old.rfind(begin, 0) == 0) old = line;
+}
+
 void list_frame(const Gathered& model, std::vector<std::string>& lost) {
   if (model.members.empty()) return;
   lost.push_back(

@@ -96,6 +96,9 @@ struct Constant {
 // Tension law of a family: flags, compression, then piece by piece.
 [[nodiscard]] std::vector<Constant> yarn_constants(const Gathered& model, std::size_t family);
 [[nodiscard]] std::vector<Constant> shear_constants(const Gathered& model);
+// Adds to the line that begins with `begin`, or puts another in its place, where a format does better than most.
+void amend(std::vector<std::string>& lost, const std::string& begin, const std::string& addition);
+void replace(std::vector<std::string>& lost, const std::string& begin, const std::string& line);
 // How a shear frame is written by the formats that write it.
 void list_frame(const Gathered& model, std::vector<std::string>& lost);
 // What user materials leave to their routine, and what their constants do not say.

@@ -203,6 +203,11 @@ void add_ties(const Deck& deck, std::string& out) {
 
 void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
   const ModelSpec& spec = deck.model.scene.model;
+  if (deck.yarn_element() == YarnElement::spring) {
+    amend(lost, "jaws:", "; written so");
+    replace(lost, "masses:",
+            "masses: every node has Weaveform's own, as *ELEMENT_MASS; the shells add a thousandth of the fabric's");
+  }
   if (deck.yarn_element() == YarnElement::spring)
     lost.push_back("yarns: discrete springs with the law's curve, jaws included, and the nodes' own masses");
   if (deck.yarn_element() == YarnElement::beam)

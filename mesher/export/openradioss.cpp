@@ -128,6 +128,7 @@ void add_groups(const Deck& deck, std::string& out) {
 
 void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
   const ModelSpec& spec = deck.model.scene.model;
+  if (deck.yarns_are_springs()) amend(lost, "jaws:", "; written so, the curve's abscissa stretched");
   if (deck.yarns_are_springs())
     lost.push_back("yarns: springs with the law's table, jaws and softened ends included, and the yarns' whole mass");
   else
