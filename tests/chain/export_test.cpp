@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -184,6 +185,43 @@ TEST_F(Export, GmshReadsTheMesh) {
     expected.insert(set.node.begin(), set.node.end());
     EXPECT_EQ(points[read.name.at(set.name).second], expected) << set.name;
   }
+}
+
+// Tension of the aligned fabric in CalculiX, with the user materials replaced by linear ones of the same modulus and
+// cells that carry nothing: F = E A u / H with A the sections of all yarns across, (W / interval) * section.
+TEST_F(Export, CalculixRunsTheJob) {
+  if (!has("ccx")) GTEST_SKIP() << "ccx (calculix-ccx) is not installed";
+  must(
+      "weaveform export tiny.toml --quiet --format abaqus --output mesh.inp --set blank.yarn_angle=0 "
+      "--set blank.size=[98.4,196.8]");
+  std::string text = read_text(file("mesh.inp"));
+  text.resize(text.find("*AMPLITUDE"));
+  const std::regex law(R"(\*MATERIAL, NAME=(\w+)\n\*DENSITY\n([^\n]*)\n\*USER MATERIAL[^\n]*\n([^*][^\n]*\n)+)");
+  std::string job;
+  std::size_t from = 0;
+  for (std::sregex_iterator match(text.begin(), text.end(), law), end; match != end; ++match) {
+    job += text.substr(from, static_cast<std::size_t>(match->position()) - from);
+    job += "*MATERIAL, NAME=" + (*match)[1].str() + "\n*ELASTIC\n" +
+           ((*match)[1] == "FABRIC_SHEAR" ? "1e-6" : "19800.") + ", 0.\n";
+    from = static_cast<std::size_t>(match->position() + match->length());
+  }
+  job += text.substr(from);
+  job +=
+      "*STEP\n*STATIC\n*BOUNDARY\nbottom, 1, 3, 0.\ntop, 1, 1, 0.\ntop, 2, 2, 0.1\ntop, 3, 3, 0.\nALL_NODES, 3, 3, 0.\n"
+      "*NODE PRINT, NSET=top, TOTALS=ONLY\nRF\n*END STEP\n";
+  write_text(job, file("job.inp"));
+  const CommandResult result = run("ccx job");
+  ASSERT_EQ(result.exit_code, 0) << result.out;
+  ASSERT_NE(result.out.find("Job finished"), std::string::npos) << result.out;
+  std::istringstream in(read_text(file("job.dat")));
+  std::string title;
+  std::getline(in, title);
+  std::getline(in, title);
+  EXPECT_NE(title.find("TOP"), std::string::npos) << title;
+  double x = 0.0, y = 0.0;
+  in >> x >> y;
+  const double expected = 19800.0 * (98.4 / 4.92 * 1.25) * 0.1 / 196.8;
+  EXPECT_NEAR(y, expected, 1e-5 * expected) << "six digits are printed";
 }
 
 // Decks for CalculiX, run by CalculiX as they are and compared with our own run: static and dynamic, load and angle.
@@ -451,7 +489,12 @@ TEST_F(Export, ADamagedStructuralMeshIsRefused) {
 TEST_F(Export, WrongUseIsWrongInput) {
   for (const std::string command :
        {"weaveform export tiny.toml --format step --output a", "weaveform export tiny.toml --format gmsh",
-        "weaveform export tiny.toml --format csv --output a.csv", "weaveform import tiny.toml --output a",
+        "weaveform export tiny.toml --format csv --output a.csv",
+        "weaveform export tiny.toml --format csv --static --output a.csv",
+        "weaveform export tiny.toml --format lsdyna --static --output a",
+        "weaveform export tiny.toml --format abaqus --materials built-in --output a",
+        "weaveform export tiny.toml --format calculix --materials user --output a",
+        "weaveform import tiny.toml --output a",
         "weaveform export tiny.toml --format gmsh --onto b.inp --output a.msh"}) {
     const auto result = run(command);
     EXPECT_EQ(result.exit_code, 2) << command;
