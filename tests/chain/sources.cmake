@@ -2,6 +2,7 @@ set(CHAIN_SOURCES
   support/run_command.cpp
   chain/plan_test.cpp
   chain/bias_extension_test.cpp
+  chain/calculix_test.cpp
   chain/dic_loop_test.cpp
   chain/examples_test.cpp
   chain/export_test.cpp
