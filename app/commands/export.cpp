@@ -44,7 +44,7 @@ struct ExportArguments {
   std::string onto, part, unit;  // part and unit of the mesh to map onto
   std::vector<double> position, rotation;
   std::optional<double> within, group_angle;
-  std::string materials = "built-in";
+  std::string materials;  // "" for the format's own
   bool is_static = false;
   bool force = false, quiet = false, yes = false;
 };
@@ -90,6 +90,11 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
     throw InputError(
         "--onto maps a formed result; it goes with orientation-abaqus, orientation-calculix, drape-openradioss, "
         "csv and vtu");
+  if (arguments.materials == "built-in" && format != MeshFormat::lsdyna && format != MeshFormat::openradioss &&
+      format != MeshFormat::calculix)
+    throw InputError(fmt::format("--materials built-in goes with lsdyna, openradioss and calculix; --format {} {}",
+                                 arguments.format,
+                                 format == MeshFormat::gmsh ? "has no materials" : "takes user materials"));
   const Model model = model_of(arguments);
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
   const double duration = choose_loading(model.scene, model.card).duration;
@@ -98,14 +103,16 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   options.is_static = arguments.is_static;
   options.run_name = run_name_of(arguments.output);
   const ExportedMesh file = export_mesh(format, model.scene, model.card, model.mesh, duration, version_line(), options);
+  std::string written = arguments.output;
   if (!file.engine.empty()) {
     const fs::path engine = fs::path(arguments.output).parent_path() / (options.run_name + "_0001.rad");
     require_writable(engine, files_read(arguments, model.scene), arguments.force);
     write_text_whole(engine, file.engine);
+    written += " and " + engine.string();
   }
   write_text_whole(arguments.output, file.text);
   log_not_carried(arguments, file.not_carried);
-  if (!arguments.quiet) print_answer(fmt::format("{}: {}", arguments.output, describe(model)));
+  if (!arguments.quiet) print_answer(fmt::format("{}: {}", written, describe(model)));
 }
 
 // What says something of --onto alone, or of one format.
@@ -160,6 +167,9 @@ FibreText fibre_text(const ExportArguments& arguments, const FibreField& field) 
 }
 
 void export_fibres(const ExportArguments& arguments) {
+  if (arguments.is_static || !arguments.materials.empty())
+    throw InputError(
+        fmt::format("--static and --materials go with the formats of a mesh, not with {}", arguments.format));
   if (!fs::is_directory(arguments.from))
     throw InputError(fmt::format("{}: --format {} needs the folder of a solved scene ('weaveform run SCENE')",
                                  arguments.from, arguments.format));

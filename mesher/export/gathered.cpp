@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "mesher/base/error.hpp"
 #include "mesher/scene/grip_direction.hpp"
 
 namespace weaveform::foreign {
@@ -208,13 +209,35 @@ int Gathered::set_number(const std::string& name) const {
   return 0;
 }
 
-std::optional<std::array<double, 2>> Gathered::bending(const YarnGroup& group) const {
+std::array<double, 2> Gathered::second_moments(const YarnGroup& group) const {
   const YarnCard& yarn = card.yarn[group.family];
+  const double modulus = yarn.linear_modulus * scene.model.yarn_stiffness_scale;
   const double count = group.section / yarn.section;
   if (scene.model.yarn_bending)
-    return {{count * (*scene.model.yarn_bending)[0], count * (*scene.model.yarn_bending)[1]}};
-  if (yarn.bending_out_of_plane.pieces().empty()) return std::nullopt;
-  return {{count * yarn.bending_in_plane.tangent(0.0), count * yarn.bending_out_of_plane.tangent(0.0)}};
+    return {count * (*scene.model.yarn_bending)[0] / modulus, count * (*scene.model.yarn_bending)[1] / modulus};
+  if (yarn.bending_out_of_plane.pieces().empty())
+    throw InputError(fmt::format(
+        "model.yarn = \"beam\": card '{}' gives no bending_out_of_plane for its yarns; add it to the card, or "
+        "set model.yarn_bending = [in plane, out of plane] (N mm^2)",
+        card.name));
+  return {count * yarn.bending_in_plane.tangent(0.0) / modulus,
+          count * yarn.bending_out_of_plane.tangent(0.0) / modulus};
+}
+
+int Gathered::node_beside(int element) const {
+  const auto [a, b] = mesh.yarns.node[element];
+  const auto& x = mesh.flat_positions();
+  int best = -1;
+  double most = 1e-6;  // mm^2
+  for (const Shell& shell : shells) {
+    if (std::find(shell.node.begin(), shell.node.end(), a) == shell.node.end()) continue;
+    for (int c = 0; c < shell.size(); ++c) {
+      const auto& p = x[shell.node[c]];
+      const double area = std::abs((x[b][0] - x[a][0]) * (p[1] - x[a][1]) - (x[b][1] - x[a][1]) * (p[0] - x[a][0]));
+      if (area > most) most = area, best = shell.node[c];
+    }
+  }
+  return best;
 }
 
 std::vector<Shell> shells_of(const MeshCells& cells) {
@@ -291,6 +314,16 @@ std::vector<Constant> shear_constants(const Gathered& model) {
   add_pieces(shear.tangent, "shear", "logarithmic shear strain atanh(sin gamma); contravariant stress is its integral",
              constants);
   return constants;
+}
+
+void amend(std::vector<std::string>& lost, const std::string& begin, const std::string& addition) {
+  for (auto& line : lost)
+    if (line.rfind(begin, 0) == 0) line += addition;
+}
+
+void replace(std::vector<std::string>& lost, const std::string& begin, const std::string& line) {
+  for (auto& old : lost)
+    if (old.rfind(begin, 0) == 0) old = line;
 }
 
 void list_frame(const Gathered& model, std::vector<std::string>& lost) {

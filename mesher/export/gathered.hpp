@@ -75,8 +75,11 @@ struct Gathered {
   [[nodiscard]] double shell_density() const;                   // tonne/mm^3
   [[nodiscard]] double member_section() const;                  // mm^2
   [[nodiscard]] double member_density() const;                  // tonne/mm^3; with frame.mass_scale
-  // N mm^2; of all yarns of the group, in the fabric's plane and out of it; none where neither scene nor card says.
-  [[nodiscard]] std::optional<std::array<double, 2>> bending(const YarnGroup& group) const;
+  // mm^4; EI/E of all yarns of the group as beams of the card's linear modulus, for bending in the fabric's plane and
+  // out of it. Throws InputError where neither scene nor card says how they bend.
+  [[nodiscard]] std::array<double, 2> second_moments(const YarnGroup& group) const;
+  // A node beside a yarn element in the fabric's plane, which says how a beam's section lies; -1: there is none.
+  [[nodiscard]] int node_beside(int element) const;
 };
 
 // Cells as the writers cut them: three and four nodes as they are, five as 4 + 3, six as 4 + 4.
@@ -93,6 +96,9 @@ struct Constant {
 // Tension law of a family: flags, compression, then piece by piece.
 [[nodiscard]] std::vector<Constant> yarn_constants(const Gathered& model, std::size_t family);
 [[nodiscard]] std::vector<Constant> shear_constants(const Gathered& model);
+// Adds to the line that begins with `begin`, or puts another in its place, where a format does better than most.
+void amend(std::vector<std::string>& lost, const std::string& begin, const std::string& addition);
+void replace(std::vector<std::string>& lost, const std::string& begin, const std::string& line);
 // How a shear frame is written by the formats that write it.
 void list_frame(const Gathered& model, std::vector<std::string>& lost);
 // What user materials leave to their routine, and what their constants do not say.

@@ -234,6 +234,14 @@ Points cell_points_by_sine(const Gathered& model, double greatest) {
   return points_of(law, cell_knots(model, greatest), 1e-5 * std::abs(law(0.5)));
 }
 
+Points rise_of_forces(double duration) {
+  constexpr double part = 0.03;
+  Points points;
+  for (int k = 0; k <= 20; ++k) points.push_back({part * duration * k / 20.0, smooth_way(k / 20.0)});
+  points.push_back({duration, 1.0});
+  return points;
+}
+
 Points member_points(double modulus) {
   const auto law = [&](double x) { return modulus * std::log1p(x) / (1.0 + x); };
   return points_of(law, {-0.1, 0.0, 0.1}, 1e-9 * modulus);

@@ -82,6 +82,10 @@ struct HoldingSpring {
 // tonne; of a tool that the scene gives no mass: the blank's.
 [[nodiscard]] double tool_mass(const Gathered& model, const ToolMotion& motion);
 
+// Factor on a tool's force over the time: it comes on in the first 3 % of the duration, as in Weaveform; sudden, it
+// would hammer the tool on the fabric.
+[[nodiscard]] Points rise_of_forces(double duration);
+
 // A frame's member: N = E A ln(L/L0) L0/L over x, for A = 1 mm^2.
 [[nodiscard]] Points member_points(double modulus);
 

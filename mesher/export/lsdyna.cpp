@@ -86,21 +86,6 @@ std::string line_of(long number, int part, long a, long b) {
   return fmt::format("{:>8}{:>8}{:>8}{:>8}", number, part, a, b);
 }
 
-// A node beside the yarn, for the way a beam's section lies: any corner of a shell at its first node.
-int third_node(const Gathered& model, int element) {
-  const auto [a, b] = model.mesh.yarns.node[element];
-  for (const Shell& shell : model.shells) {
-    if (std::find(shell.node.begin(), shell.node.end(), a) == shell.node.end()) continue;
-    for (int c = 0; c < shell.size(); ++c) {
-      const auto &p = model.mesh.flat_positions()[a], &q = model.mesh.flat_positions()[b],
-                 &r = model.mesh.flat_positions()[shell.node[c]];
-      const double area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-      if (std::abs(area) > 1e-6) return shell.node[c];
-    }
-  }
-  return a;
-}
-
 void add_yarns(const Deck& deck, std::string& out) {
   const YarnElement kind = deck.yarn_element();
   if (kind == YarnElement::spring)
@@ -116,7 +101,7 @@ void add_yarns(const Deck& deck, std::string& out) {
       if (kind == YarnElement::spring)  // s: factor on the curve, which is a stress
         out += fmt::format("{:>8}{:>16}{:>8}{:>16}", 0, fit(deck.yarns[part].group->section, 16), 0, "0.0");
       else
-        out += fmt::format("{:>8}", kind == YarnElement::beam ? third_node(deck.model, e) + 1 : 0);
+        out += fmt::format("{:>8}", kind == YarnElement::beam ? deck.model.node_beside(e) + 1 : 0);
       if (kind == YarnElement::seatbelt) out += fmt::format("{:>16}", "0.0");
       out += "\n";
     }
@@ -218,6 +203,11 @@ void add_ties(const Deck& deck, std::string& out) {
 
 void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
   const ModelSpec& spec = deck.model.scene.model;
+  if (deck.yarn_element() == YarnElement::spring) {
+    amend(lost, "jaws:", "; written so");
+    replace(lost, "masses:",
+            "masses: every node has Weaveform's own, as *ELEMENT_MASS; the shells add a thousandth of the fabric's");
+  }
   if (deck.yarn_element() == YarnElement::spring)
     lost.push_back("yarns: discrete springs with the law's curve, jaws included, and the nodes' own masses");
   if (deck.yarn_element() == YarnElement::beam)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/error.hpp"
 #include "mesher/export/lsdyna.hpp"
 
 namespace weaveform::foreign::lsdyna {
@@ -45,15 +44,7 @@ Points spring_curve(const Gathered& model, const YarnPart& part) {
 
 // A resultant beam has its area and its moments of inertia apart: I = EI/E.
 void add_beam_section(const Deck& deck, int id, const YarnGroup& group, std::string& out) {
-  const Gathered& model = deck.model;
-  const auto bending = model.bending(group);
-  if (!bending)
-    throw InputError(
-        fmt::format("model.yarn = \"beam\": card '{}' gives no bending_out_of_plane for its yarns; add it "
-                    "to the card, or set model.yarn_bending = [in plane, out of plane] (N mm^2)",
-                    model.card.name));
-  const double modulus = model.card.yarn[group.family].linear_modulus * model.scene.model.yarn_stiffness_scale;
-  const double in_plane = (*bending)[0] / modulus, out_of_plane = (*bending)[1] / modulus;
+  const auto [in_plane, out_of_plane] = deck.model.second_moments(group);
   out += "*SECTION_BEAM\n$#    secid    elform      shrf   qr/irid       cst\n";
   Card10(out).i(id).i(2).r(1.0).i(0).i(0);
   out += "$#        a       iss       itt         j        sa       ist\n";

@@ -112,19 +112,10 @@ void add_body_motion(const Deck& deck, std::size_t k, std::vector<std::string>& 
   }
 }
 
-// A force comes on in the first 3 % of the duration, as in Weaveform; sudden, it would hammer the tool on the fabric.
-void add_rise(const Deck& deck, std::string& out) {
-  constexpr double part = 0.03;
-  Points points;
-  for (int k = 0; k <= 20; ++k) points.push_back({part * deck.model.duration * k / 20.0, smooth_way(k / 20.0)});
-  points.push_back({deck.model.duration, 1.0});
-  add_curve(rise, "rise of forces", points, out);
-}
-
 void add_tools(const Deck& deck, std::vector<std::string>& lost, std::string& out) {
   const auto& tools = deck.model.tools;
   if (std::any_of(tools.begin(), tools.end(), [](const ToolMotion& motion) { return motion.spec->force.has_value(); }))
-    add_rise(deck, out);
+    add_curve(rise, "rise of forces", rise_of_forces(deck.model.duration), out);
   for (std::size_t k = 0; k < tools.size(); ++k) {
     const Tool& tool = tools[k].tool;
     if (is_rigid_wall(tools[k])) {

@@ -61,26 +61,6 @@ void add_nodes(const Deck& deck, std::string& out) {
   }
 }
 
-// A node beside a yarn element, in the fabric's plane: it says which way a beam's section lies.
-int third_node(const Gathered& model, int element) {
-  const auto [a, b] = model.mesh.yarns.node[element];
-  const auto& x = model.mesh.flat_positions();
-  const std::array<double, 3> way = {x[b][0] - x[a][0], x[b][1] - x[a][1], x[b][2] - x[a][2]};
-  int best = -1;
-  double most = 0.0;
-  for (const Shell& shell : model.shells) {
-    if (std::find(shell.node.begin(), shell.node.end(), a) == shell.node.end() &&
-        std::find(shell.node.begin(), shell.node.end(), b) == shell.node.end())
-      continue;
-    for (int c = 0; c < shell.size(); ++c) {
-      const auto& p = x[shell.node[c]];
-      const double aside = std::abs(way[0] * (p[1] - x[a][1]) - way[1] * (p[0] - x[a][0]));
-      if (aside > most) most = aside, best = shell.node[c];
-    }
-  }
-  return best;
-}
-
 void add_yarns(const Deck& deck, std::string& out) {
   const Gathered& model = deck.model;
   const bool beam = model.scene.model.yarn == "beam";
@@ -89,7 +69,7 @@ void add_yarns(const Deck& deck, std::string& out) {
     out += fmt::format("/{}/{}\n", keyword, g + 1);
     for (const int e : model.yarns[g].element) {
       const auto& n = model.mesh.yarns.node[e];
-      out += i10(e + 1) + i10(n[0] + 1) + i10(n[1] + 1) + (beam ? i10(third_node(model, e) + 1) : "") + "\n";
+      out += i10(e + 1) + i10(n[0] + 1) + i10(n[1] + 1) + (beam ? i10(model.node_beside(e) + 1) : "") + "\n";
     }
   }
 }
@@ -148,6 +128,7 @@ void add_groups(const Deck& deck, std::string& out) {
 
 void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
   const ModelSpec& spec = deck.model.scene.model;
+  if (deck.yarns_are_springs()) amend(lost, "jaws:", "; written so, the curve's abscissa stretched");
   if (deck.yarns_are_springs())
     lost.push_back("yarns: springs with the law's table, jaws and softened ends included, and the yarns' whole mass");
   else

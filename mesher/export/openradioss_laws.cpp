@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/error.hpp"
 #include "mesher/export/openradioss.hpp"
 
 namespace weaveform::foreign::radioss {
@@ -52,14 +51,7 @@ void add_follower_spring(const Deck& deck, std::string& out) {
 // I = EI/E of a linear beam of the card's modulus. The third node lies in the fabric's plane, so that local y does, and
 // bending about y is out of that plane.
 void add_beam(const Gathered& model, int id, const YarnGroup& group, std::string& out) {
-  const auto bending = model.bending(group);
-  if (!bending)
-    throw InputError(
-        fmt::format("model.yarn = \"beam\": card '{}' gives no bending_out_of_plane for its yarns; add it "
-                    "to the card, or set model.yarn_bending = [in plane, out of plane] (N mm^2)",
-                    model.card.name));
-  const double modulus = model.card.yarn[group.family].linear_modulus * model.scene.model.yarn_stiffness_scale;
-  const double in_plane = (*bending)[0] / modulus, out_of_plane = (*bending)[1] / modulus;
+  const auto [in_plane, out_of_plane] = model.second_moments(group);
   out += fmt::format("/PROP/BEAM/{}\n{}\n#   Ismstr\n", id, group.name) + i10(0) + "\n";
   out += "#                 dm                  df\n" + r20(0.0) + r20(0.0) + "\n";
   out += "#               Area                 Iyy                 Izz                 Ixx\n" + r20(group.section) +

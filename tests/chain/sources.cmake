@@ -4,6 +4,7 @@ set(CHAIN_SOURCES
   chain/read_back_test.cpp
   chain/bias_extension_test.cpp
   chain/calculix_fibres_test.cpp
+  chain/calculix_test.cpp
   chain/dic_loop_test.cpp
   chain/drawing_test.cpp
   chain/examples_test.cpp
