@@ -31,7 +31,7 @@ TEST(Team, DoesEveryBlockOnceInEveryRound) {
 
 // A thread that comes late to a short loop finds the next, longer one under way.
 TEST(Team, LoopsOfDifferentLengthsEndWithEachBlockDoneOnce) {
-  Team team(3);
+  Team team(12);  // more than there are cores, so that some come late
   const std::vector<int> lengths = {2, 9, 3, 40, 5};
   std::vector<std::atomic<int>> times(40);
   for (int round = 0; round < 20000; ++round) {
