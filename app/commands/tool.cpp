@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -41,16 +42,19 @@ std::string stl_text(const TriangleList& list) {
   return text + "endsolid Written by weaveform\n";
 }
 
-std::string corner(const std::array<double, 3>& at) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
+// Without the dust of rounding, "-4.44e-16".
+std::string corner(const std::array<double, 3>& at, double extent) {
+  constexpr double dust = 1e-12;
+  const auto tidy = [&](double x) { return std::abs(x) < dust * extent ? 0.0 : x; };
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", tidy(at[0]), tidy(at[1]), tidy(at[2]));
 }
 
 std::string describe_surface(const ToolArguments& arguments, const TriangleReport& report, const FileSurface& surface) {
   std::string text = fmt::format(
       "{}: {} triangles in {} piece{}, {:.6g} x {:.6g} x {:.6g} mm from {} to {}, area {:.6g} mm2, {}", arguments.file,
       report.triangles, report.pieces, report.pieces == 1 ? "" : "s", report.high[0] - report.low[0],
-      report.high[1] - report.low[1], report.high[2] - report.low[2], corner(report.low), corner(report.high),
-      report.area,
+      report.high[1] - report.low[1], report.high[2] - report.low[2], corner(report.low, report.extent()),
+      corner(report.high, report.extent()), report.area,
       report.closed ? fmt::format("closed, volume {:.6g} mm3", report.volume)
                     : fmt::format("open, {} border{}", report.borders.size(), report.borders.size() == 1 ? "" : "s"));
   if (is_cad_file(arguments.file)) text += fmt::format("; within {:.3g} mm of the true surface", surface.chord_error);

@@ -101,13 +101,15 @@ TopoDS_Shape cut_whole(TopoDS_Shape shape, double tolerance, const std::string& 
 CadSurface within_tolerance(const TopoDS_Shape& whole, double tolerance, const std::string& file) {
   const TopoDS_Shape shape = cut_whole(whole, tolerance, file);
   double deflection = tolerance, error = chord_error(shape), least = error, least_deflection = deflection;
-  for (int round = 1; round < most_rounds && error > tolerance; ++round) {
+  bool helps = true;  // a fault of the surface stays as it is, however fine the triangles
+  for (int round = 1; round < most_rounds && error > tolerance && helps; ++round) {
     deflection *= std::clamp(0.9 * tolerance / error, 0.3, 0.8);
     cut_into_triangles(shape, deflection, 0.9, 1.0);
     error = chord_error(shape);
+    helps = error < 0.9 * least;
     if (error < least) least = error, least_deflection = deflection;
   }
-  if (error > tolerance && least_deflection != deflection) {
+  if (least_deflection != deflection) {
     cut_into_triangles(shape, least_deflection, 0.9, 1.0);
     error = chord_error(shape);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -34,6 +35,8 @@ bool spin(nanoseconds patience, Condition met) {
   } while (std::chrono::steady_clock::now() < end);
   return false;
 }
+
+constexpr int no_block = std::numeric_limits<int>::max();
 
 std::uint64_t ticket(std::uint32_t round, int block) {
   return (static_cast<std::uint64_t>(round) << 32U) | static_cast<std::uint32_t>(block);
@@ -84,7 +87,10 @@ void Team::begin_round(int blocks, Call call, const void* body) {
   const std::uint32_t round = round_.load(std::memory_order_relaxed) + 1;
   const auto first = [&](int member) { return static_cast<int>(static_cast<long>(blocks) * member / threads_); };
   for (int member = 0; member < threads_; ++member) {
-    share_[member].end.store(first(member + 1), std::memory_order_relaxed);
+    // closed first: a latecomer with the last ticket of the round before, who then finds an end moved on, would take it
+    // for one more block
+    share_[member].next.store(ticket(round, no_block), std::memory_order_relaxed);
+    share_[member].end.store(first(member + 1), std::memory_order_release);
     share_[member].next.store(ticket(round, first(member)), std::memory_order_release);
   }
   round_.store(round, std::memory_order_release);
@@ -99,7 +105,7 @@ int Team::take_all(int member, std::uint32_t round) {
     std::uint64_t next = share.next.load(std::memory_order_acquire);
     for (;;) {
       const int block = static_cast<int>(next & 0xffffffffU);
-      if (next >> 32U != round || block >= share.end.load(std::memory_order_relaxed)) break;
+      if (next >> 32U != round || block >= share.end.load(std::memory_order_acquire)) break;
       if (!share.next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
         continue;
       do_block(block);

@@ -14,6 +14,7 @@
 #include "mesher/outline/cad_outline.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/triangle_report.hpp"
+#include "tests/support/mutations.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace weaveform {
@@ -261,6 +262,21 @@ TEST_F(StrangersCad, TheReadersOwnWordsComeWithTheLine) {
   iges.replace(iges.find("     128"), 8, "     999");
   const std::string undefined = complaint(file("undefined.igs", iges));
   EXPECT_NE(undefined.find("entity type"), std::string::npos) << undefined;
+}
+
+TEST_F(StrangersCad, DamagedIgesEndsInASurfaceOrAnError) {
+  const std::string sound = test::read_text(data / "block_mm.igs");
+  int read = 0, refused = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    try {
+      (void)inspect(read_cad(file("damaged.igs", test::damaged(sound, seed)), 0.5).list);
+      ++read;
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 3);
+  EXPECT_GT(refused, 1);
 }
 
 TEST_F(StrangersCad, AToleranceBeyondReasonIsRefusedAtOnce) {

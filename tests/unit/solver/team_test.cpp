@@ -29,6 +29,19 @@ TEST(Team, DoesEveryBlockOnceInEveryRound) {
   }
 }
 
+// A thread that comes late to a short loop finds the next, longer one under way.
+TEST(Team, LoopsOfDifferentLengthsEndWithEachBlockDoneOnce) {
+  Team team(12);  // more than there are cores, so that some come late
+  const std::vector<int> lengths = {2, 9, 3, 40, 5};
+  std::vector<std::atomic<int>> times(40);
+  for (int round = 0; round < 20000; ++round) {
+    const int blocks = lengths[static_cast<std::size_t>(round) % lengths.size()];
+    team.run(blocks, [&](int block) { ++times[block]; });
+    for (int block = 0; block < blocks; ++block) ASSERT_EQ(times[block].exchange(0), 1) << block << " of " << blocks;
+    for (int block = blocks; block < 40; ++block) ASSERT_EQ(times[block], 0) << block << " beyond " << blocks;
+  }
+}
+
 TEST(Team, IsDoneWhenItReturns) {
   Team team(3);
   std::vector<double> value(30, 0.0);
