@@ -18,8 +18,8 @@
 #include "mesher/scene/idle.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/symmetry/find_symmetry.hpp"
-#include "mesher/tools/cad.hpp"
 #include "mesher/tools/out_of_reach.hpp"
+#include "mesher/tools/tool.hpp"
 #include "post/post.hpp"
 #include "solver/motion/identity.hpp"
 
@@ -39,10 +39,7 @@ Model build_model(const fs::path& scene_file, const std::vector<std::string>& ov
 
 std::vector<std::string> early_warnings(const Model& model) {
   std::vector<std::string> found = idle_parts(model.scene);
-  const auto& tools = model.scene.tools;
-  // to make triangles of CAD takes long, and the finished run tells as well
-  if (std::any_of(tools.begin(), tools.end(), [](const ToolSpec& tool) { return is_cad_file(tool.file); }))
-    return found;
+  for (std::string& line : tool_notes(model.scene, model.mesh)) found.push_back(std::move(line));
   for (std::string& line : tools_out_of_reach(model.scene, model.mesh)) found.push_back(std::move(line));
   return found;
 }
