@@ -20,6 +20,7 @@
 #include "mesher/scene/reader.hpp"
 #include "mesher/symmetry/find_symmetry.hpp"
 #include "mesher/tools/out_of_reach.hpp"
+#include "mesher/tools/tool.hpp"
 #include "post/post.hpp"
 #include "solver/motion/identity.hpp"
 
@@ -40,6 +41,7 @@ Model build_model(const fs::path& scene_file, const std::vector<std::string>& ov
 std::vector<std::string> early_warnings(const Model& model) {
   std::vector<std::string> found = idle_parts(model.scene);
   for (std::string& line : outline_notes(model.scene)) found.push_back(std::move(line));
+  for (std::string& line : tool_notes(model.scene, model.mesh)) found.push_back(std::move(line));
   for (std::string& line : tools_out_of_reach(model.scene, model.mesh)) found.push_back(std::move(line));
   return found;
 }

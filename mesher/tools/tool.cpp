@@ -85,11 +85,12 @@ Vector side_of_the_blank(const ToolSpec& spec, const Scene& scene) {
   return point;
 }
 
-TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, double cell_edge, const std::string& where) {
+FileSurface surface_of(const ToolSpec& spec, const Scene& scene, double cell_edge, const std::string& where) {
   const auto file = tool_path(spec.file, scene.file);
   const bool sense_is_ours = surface_kind(file) != SurfaceKind::stl;
   const double tolerance = spec.chord_tolerance.value_or(chord_per_cell * cell_edge);
-  TriangleList list = read_surface(file, {millimetres_of(spec.unit), tolerance, spec.name}).list;
+  FileSurface surface = read_surface(file, {millimetres_of(spec.unit), tolerance, spec.name});
+  TriangleList& list = surface.list;
   if (spec.unit.empty()) check_proportion(list, spec, scene, where);
   if (sense_is_ours) {
     list = turned_alike(list, side_of_the_blank(spec, scene));
@@ -100,7 +101,7 @@ TriangleList triangles_of(const ToolSpec& spec, const Scene& scene, double cell_
         fmt::format("{} {}: the closed surface has its normals inward, so that its outside would be solid; set "
                     "flip = true, or write it again with its triangles counter-clockwise seen from outside",
                     where, file.string()));
-  return list;
+  return surface;
 }
 
 Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, double cell_edge) {
@@ -116,8 +117,10 @@ Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, doubl
   if (tool.shape == ToolShape::revolved) tool.profile = make_profile(spec.profile, where + " profile");
   if (tool.shape == ToolShape::triangles) {
     tool.start.axis = {0.0, 0.0, 1.0};
-    tool.surface = std::make_shared<TriangleSurface>(triangles_of(spec, scene, cell_edge, where),
-                                                     where + " " + tool_path(spec.file, scene.file).string());
+    FileSurface surface = surface_of(spec, scene, cell_edge, where);
+    const std::string file = tool_path(spec.file, scene.file).string();
+    tool.surface = std::make_shared<TriangleSurface>(surface.list, where + " " + file);
+    for (const std::string& word : surface.words) tool.notes.push_back(where + " " + file + ": " + word);
   }
   tool.direction = spec.direction ? unit(*spec.direction) : default_direction(tool);
   if (spec.position)
@@ -149,6 +152,12 @@ std::vector<Tool> make_tools(const Scene& scene, double thickness, double cell_e
   std::vector<Tool> tools;
   for (const auto& spec : scene.tools) tools.push_back(make_tool(spec, scene, thickness, cell_edge));
   return tools;
+}
+
+std::vector<std::string> tool_notes(const Scene& scene, const Mesh& mesh) {
+  std::vector<std::string> notes;
+  for (const Tool& tool : make_tools(scene, mesh)) notes.insert(notes.end(), tool.notes.begin(), tool.notes.end());
+  return notes;
 }
 
 void tool_distances(const Tool& tool, const Placement& place, const Coordinates& x, int count, int* hint,

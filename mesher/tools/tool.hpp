@@ -26,6 +26,7 @@ struct Tool {
   std::array<double, 3> direction = {0.0, 0.0, -1.0};  // unit; of its motion
   double friction = 0.0;                               // 1
   double offset = 0.0;                                 // mm; from the fabric's middle plane to its face
+  std::vector<std::string> notes;                      // what its file's reader complained of and passed over
 };
 
 // The chord tolerance of CAD that a scene leaves open, for each mm of a cell's shorter edge h. A cell's own edge, laid
@@ -38,6 +39,10 @@ inline constexpr double usual_cell_edge = 5.0;  // mm; where there is no mesh
 // (mm) the chord tolerances. Throws InputError when a profile or surface is none, FileError when a file cannot be read.
 [[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, const Mesh& mesh);
 [[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, double thickness, double cell_edge = usual_cell_edge);
+
+// What the readers of the tools' files complained of and passed over, a line each with the tool and the file. Throws
+// what make_tools throws.
+[[nodiscard]] std::vector<std::string> tool_notes(const Scene& scene, const Mesh& mesh);
 
 // Signed distances of up to points_at_a_time points from the tool standing at `place`. `hint` holds one number a point,
 // kept from call to call by whoever cares for speed (triangles only; any value gives the same distance).

@@ -64,13 +64,21 @@ TEST_F(ToolCommand, WhatTheReaderComplainedOfIsAWarning) {
   write("box.geo", box);
   ASSERT_EQ(tool("box.geo -o box.step").exit_code, 0);
   std::string step = test::read_text(folder() / "box.step");
-  const std::size_t at = step.find("EDGE_CURVE('',");
+  const std::size_t at = step.find("PLANE('',");
   ASSERT_NE(at, std::string::npos);
-  const std::size_t reference = step.find('#', at);
-  step.replace(reference, step.find(',', reference) - reference, "#99999");
+  step.replace(at, step.find(';', at) - at, "PLANE('')");
   write("box.step", step);
   const test::CommandResult result = tool("box.step");
-  EXPECT_TRUE(says(result.out + result.err, "EDGE_CURVE")) << result.out << result.err;
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(says(result.out, "open, 1 border")) << result.out;
+  EXPECT_TRUE(says(result.out, "PLANE: Count of Parameters is not 2")) << result.out;
+  write("scene.toml",
+        "[fabric]\nmaterial = \"twintex-pw\"\n[blank]\nsize = [40, 40]\nyarn_angle = 0\n[tools.box]\n"
+        "shape = \"triangles\"\nfile = \"box.step\"\nposition = [0, 0, -30]\ntravel = 5\ndirection = [0, 0, 1]\n"
+        "[analysis]\nduration = 0.01\n");
+  const test::CommandResult checked = test::run_command("weaveform check scene.toml", folder());
+  EXPECT_TRUE(says(checked.err, "warning: scene.toml: [tools.box] box.step: entity")) << checked.err;
+  EXPECT_EQ(test::run_command("weaveform check scene.toml --set tools.box.file=none.igs", folder()).exit_code, 4);
 }
 
 }  // namespace
