@@ -70,7 +70,7 @@ const CheckpointSizes sizes = {.nodes = 3,
 // Of a file of this run: all before the members of Checkpoint.
 const std::string& head() {
   static const std::string bytes = [] {
-    const std::size_t fixed = std::string_view("weaveform checkpoint 3\n").size() + 2 * sizeof(std::uint64_t);
+    const std::size_t fixed = std::string_view("weaveform checkpoint 4\n").size() + 2 * sizeof(std::uint64_t);
     const std::string empty = checkpoint_bytes({}, Identity{}), of_run = checkpoint_bytes({}, identity);
     return of_run.substr(0, fixed + sizeof(std::uint64_t) + of_run.size() - empty.size());
   }();
