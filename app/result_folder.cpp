@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "app/version.hpp"
@@ -12,6 +11,7 @@
 #include "mesher/base/files.hpp"
 #include "mesher/material/card.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/scene_name.hpp"
 #include "mesher/tools/tool.hpp"
 
 namespace weaveform {
@@ -27,7 +27,6 @@ constexpr std::array post_files = {"contours.vtp",   "summary.json",  "meridians
                                    "outline.csv",    "outline.vtp",   "wrinkles.vtp",  "punch_force.svg",
                                    "sphere_net.csv", "sphere_net.svg"};
 constexpr std::array other_files = {"drape.vtu", "drape.json", "flat_pattern.csv", "accuracy.md"};
-constexpr const char* scene_name_mark = "# Scene: ";
 constexpr const char* frame_names = "frames/frame_[0-9][0-9][0-9][0-9]*.vtu";
 
 bool is_frame(const std::string& name) {
@@ -97,20 +96,14 @@ void remove_results(const fs::path& directory) {
     if (is_frame(entry.path().filename().string())) fs::remove(entry.path());
 }
 
-void write_scene_copy(const Scene& scene, const fs::path& directory) {
-  // quoted, so that no name ends the comment
-  const std::string name = nlohmann::json(scene.file).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  write_text_whole(directory / "scene.toml", fmt::format("# {}: {}\n{}{}\n{}", written_mark, version_line(),
-                                                         scene_name_mark, name, scene_to_toml(scene)));
+void write_scene_copy(const Scene& scene, const fs::path& directory, const std::string& name) {
+  write_text_whole(directory / "scene.toml",
+                   fmt::format("# {}: {}\n{}\n{}", written_mark, version_line(),
+                               scene_name_line(name.empty() ? scene.file : name), scene_to_toml(scene)));
 }
 
 std::string scene_name_of(const fs::path& directory) {
-  const std::string text = read_text_file(directory / "scene.toml");
-  const auto begin = text.find(scene_name_mark);
-  if (begin == std::string::npos) return "";
-  const auto name = begin + std::string_view(scene_name_mark).size();
-  const auto found = nlohmann::json::parse(text.substr(name, text.find('\n', name) - name), nullptr, false);
-  return found.is_string() ? found.get<std::string>() : "";
+  return scene_name_in(read_text_file(directory / "scene.toml"));
 }
 
 void require_file(const fs::path& directory, const std::string& name, const std::string& made_by) {

@@ -31,8 +31,8 @@ void clear_folder(const std::filesystem::path& directory);
 void remove_results(const std::filesystem::path& directory);
 
 // DIR/scene.toml: every key with its value, under lines that name the program and the scene's own file; written whole
-// or not at all.
-void write_scene_copy(const Scene& scene, const std::filesystem::path& directory);
+// or not at all. `name` stands for that file where the scene comes by way of another.
+void write_scene_copy(const Scene& scene, const std::filesystem::path& directory, const std::string& name = "");
 
 // The file that the folder's scene was read from; "" where its copy does not say.
 [[nodiscard]] std::string scene_name_of(const std::filesystem::path& directory);

@@ -85,13 +85,13 @@ void log_end(const fs::path& directory, const std::string& what_to_open) {
   log_line(fmt::format("written to {}: {}", directory.string(), what_to_open));
 }
 
-void write_model(const Model& model, const fs::path& directory) {
+void write_model(const Model& model, const fs::path& directory, const std::string& scene_name) {
   if (has_checkpoint(directory))
     log_warning(fmt::format("{}: held a run that was not finished; it is begun anew, where --resume would have gone on",
                             directory.string()));
   clear_folder(directory);
   // The folder's copy may be read from anywhere, so nothing in it may hang on where the original lies.
-  write_scene_copy(with_absolute_paths(model.scene), directory);
+  write_scene_copy(with_absolute_paths(model.scene), directory, scene_name);
   write_mesh(model.mesh, directory / "mesh.vtu");
 }
 

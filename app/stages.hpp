@@ -49,8 +49,9 @@ void log_end(const std::filesystem::path& directory, const std::string& what_to_
 // The folder's own scene.
 [[nodiscard]] Scene scene_of(const std::filesystem::path& directory);
 
-// mesh: DIR/mesh.vtu and DIR/scene.toml, in a folder that is claimed, cleared of an older run.
-void write_model(const Model& model, const std::filesystem::path& directory);
+// mesh: DIR/mesh.vtu and DIR/scene.toml, in a folder that is claimed, cleared of an older run. `scene_name` as in
+// write_scene_copy.
+void write_model(const Model& model, const std::filesystem::path& directory, const std::string& scene_name = "");
 
 // run --resume: the folder's scene and mesh as they are when they are those of `model`, or made when the run was
 // stopped before they were. Throws InputError, with what differs, when DIR/scene.toml is another scene: an analysis

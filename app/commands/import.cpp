@@ -61,7 +61,7 @@ void run_import(const ImportArguments& arguments) {
   log_warning(folder.trouble());
   model.scene = with_absolute_paths(model.scene);
   keep_tools(file, directory, model.scene);
-  write_model(model, directory);
+  write_model(model, directory, imported.scene_name);
   if (arguments.quiet) return;
   for (const auto& note : imported.notes) log_line("import: " + note);
   print_answer(describe(model));

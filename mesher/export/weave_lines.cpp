@@ -9,6 +9,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/scene_name.hpp"
 
 namespace weaveform {
 
@@ -46,6 +47,7 @@ std::vector<std::string> weave_lines(const Scene& scene, const Mesh& mesh) {
           "in {}", fmt::join(set.node.begin() + static_cast<std::ptrdiff_t>(k),
                              set.node.begin() + static_cast<std::ptrdiff_t>(std::min(k + 12, set.node.size())), " ")));
   }
+  add("from " + scene_name_line(scene.file));
   std::istringstream text(scene_to_toml(with_absolute_paths(scene)));
   for (std::string line; std::getline(text, line);) add("scene " + line);
   add("end");
@@ -207,6 +209,10 @@ WovenMesh read_weave_lines(const std::vector<NumberedLine>& lines, const std::st
     mesh.tie.push_back(tie);
   }
   for (int k = 0; k < size[4]; ++k) read_set(in, size[0], mesh.sets);
+  if (in.begins("from")) {
+    in.expect("from");
+    woven.scene_name = scene_name_in(in.rest());
+  }
   while (in.begins("scene")) {
     in.expect("scene");
     woven.scene += in.rest() + "\n";

@@ -8,6 +8,7 @@
 //   yarn a b family rest section yarns jaw softening
 //   cell nodes area i j, then one `at node warp weft` per node (the coefficients)
 //   tie node a b share; set count name, then `in` lines of up to 12 nodes
+//   from # Scene: "FILE"                        what the scene was read from; not in files of earlier versions
 //   scene LINE                                  the scene file, line by line
 //   end
 #pragma once
@@ -28,7 +29,8 @@ struct NumberedLine {
 };
 struct WovenMesh {
   Mesh mesh;
-  std::string scene;  // TOML
+  std::string scene;       // TOML
+  std::string scene_name;  // its file; "" where the lines do not say
 };
 // Throws InputError, "file:line: what is wrong", unless the lines are such a list with every number in its range.
 [[nodiscard]] WovenMesh read_weave_lines(const std::vector<NumberedLine>& lines, const std::string& file);

@@ -17,6 +17,7 @@ struct ImportedMesh {
   Mesh mesh;
   std::string scene;               // TOML; only of a file that Weaveform wrote
   std::vector<std::string> notes;  // what was found, guessed or left out; one line each
+  std::string scene_name = {};     // the file that `scene` was read from
 };
 
 // From the weaveform lines of the file. Throws InputError unless its nodes (to 1e-9 of the mesh's extent) and elements

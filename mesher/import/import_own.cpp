@@ -95,7 +95,10 @@ ImportedMesh import_own(const ForeignMesh& file) {
   check_nodes(file, woven.mesh, ours);
   check_elements(file, woven.mesh, ours);
   check_sets(file, woven.mesh, ours);
-  return {std::move(woven.mesh), std::move(woven.scene), {"written by Weaveform: taken as it was, bit for bit"}};
+  return {std::move(woven.mesh),
+          std::move(woven.scene),
+          {"written by Weaveform: taken as it was, bit for bit"},
+          std::move(woven.scene_name)};
 }
 
 }  // namespace weaveform

@@ -18,7 +18,7 @@ using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
 #if defined(__SANITIZE_ADDRESS__)  // takes terabytes of address space for itself
-constexpr const char* bounds = "timeout 100 ";
+constexpr const char* bounds = "timeout 500 ";
 #else
 constexpr const char* bounds = "ulimit -v 2000000; timeout 20 ";
 #endif
