@@ -1,6 +1,7 @@
 #include "app/usage.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -41,10 +42,23 @@ std::string full_name(const CLI::App& command) {
                                          : full_name(*command.get_parent()) + " " + command.get_name();
 }
 
+// Judged by its letters: the dashes, which all options share, make none of them nearer.
+std::string nearest_option(const std::string& wrong, const CLI::App& command) {
+  const auto letters = [](const std::string& name) { return name.substr(name.find_first_not_of('-')); };
+  if (wrong.find_first_not_of('-') == std::string::npos) return "";
+  const std::vector<std::string> names = option_names(command);
+  const auto distance = [&](const std::string& name) { return edit_distance(letters(wrong), letters(name)); };
+  const auto nearest = std::min_element(
+      names.begin(), names.end(), [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
+  if (nearest == names.end()) return "";
+  if (distance(*nearest) <= std::max<std::size_t>(2, letters(wrong).size() / 2))
+    return fmt::format("; did you mean '{}'?", *nearest);
+  return fmt::format("; valid: {}", fmt::join(names, ", "));
+}
+
 std::string unknown_option(const CLI::App& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
-  return fmt::format("unknown option '{}' of '{}'{}", name, full_name(command),
-                     did_you_mean(name, option_names(command)));
+  return fmt::format("unknown option '{}' of '{}'{}", name, full_name(command), nearest_option(name, command));
 }
 
 // A word too many; where it or an earlier one is nearly a command of this command, that was meant.

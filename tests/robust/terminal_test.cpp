@@ -81,6 +81,7 @@ TEST_F(Terminal, UnknownCommandsAndOptionsGetTheNearestOne) {
       {"post compar a b", "did you mean 'compare'?"},
       {"run tiny.toml --outptu out", "unknown option '--outptu' of 'weaveform run'; did you mean '--output'?"},
       {"run tiny.toml --thread=2", "did you mean '--threads'?"},
+      {"run tiny.toml --cores 3", "unknown option '--cores' of 'weaveform run'; valid: "},
       {"--verion", "did you mean '--version'?"},
       {"help rnu", "did you mean 'run'?"},
       {"run tiny.toml other.toml", "'other.toml' is one word too many for 'weaveform run'"},
