@@ -76,7 +76,7 @@ TEST_F(WithoutEnd, AMeshBeyondTheMemoryIsNeverBegun) {
     expect_refused(command + " --set fabric.material=./fine.toml", "a yarn every 0.004");
     expect_refused(command + " --set blank.size=[20000,20000] --set blank.coarsening=1", "of memory");
   }
-  EXPECT_EQ(run("mesh tiny.toml --plan --set blank.size=[1e5,1e5] --set blank.coarsening=1").exit_code, 2);
+  EXPECT_EQ(run("mesh tiny.toml --plan --set blank.size=[1e5,1e5] --set blank.coarsening=0.1").exit_code, 2);
   EXPECT_FALSE(fs::exists(file("out")));
 }
 
