@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "mesher/base/progress.hpp"
+#include "core/log/progress.hpp"
 #include "mesher/tools/gmsh_session.hpp"
 
 namespace weaveform {

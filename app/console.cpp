@@ -9,7 +9,7 @@
 #include <new>
 #include <string_view>
 
-#include "mesher/base/say.hpp"
+#include "core/log/say.hpp"
 
 namespace weaveform {
 

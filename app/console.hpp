@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform {
 
@@ -15,7 +15,7 @@ inline constexpr int defect_code = 1;
 // disk, a reader that has gone).
 void print_answer(const std::string& text);
 
-// A line of the log; what cannot be written is lost (mesher/base/say.hpp).
+// A line of the log; what cannot be written is lost (core/log/say.hpp).
 void log_line(const std::string& text);
 
 // A line of the log that begins with "warning: "; nothing for an empty text.

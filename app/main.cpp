@@ -9,8 +9,8 @@
 #include "app/console.hpp"
 #include "app/process.hpp"
 #include "app/usage.hpp"
-#include "app/version.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
+#include "core/version/version.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesher/base/nearest_name.hpp"
+#include "core/keys/nearest_name.hpp"
 
 namespace weaveform {
 namespace {

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "mesher/base/chart.hpp"
-#include "mesher/base/files.hpp"
+#include "core/chart/chart.hpp"
+#include "core/files/files.hpp"
 #include "mesher/lattice/build.hpp"
 #include "solver/result/chart_file.hpp"
 #include "solver/solve.hpp"

@@ -8,13 +8,13 @@
 #include <memory>
 #include <string>
 
+#include "fabric/card/card.hpp"
 #include "mesher/lattice/build.hpp"
-#include "mesher/material/card.hpp"
 #include "solver/bending/lattice_bending.hpp"
 #include "solver/bending/shell.hpp"
 #include "solver/lattice/forces.hpp"
-#include "solver/motion/critical_step.hpp"
-#include "solver/motion/motion.hpp"
+#include "solver/ply/critical_step.hpp"
+#include "solver/ply/motion.hpp"
 #include "solver/result/fields.hpp"
 
 namespace {

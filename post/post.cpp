@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "mesher/base/error.hpp"
-#include "mesher/material/card.hpp"
+#include "core/error.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/forming/forming.hpp"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "mesher/base/files.hpp"
+#include "core/files/files.hpp"
 #include "mesher/symmetry/cut_part.hpp"
+#include "solver/analysis/analysis.hpp"
+#include "solver/analysis/interrupt.hpp"
 #include "solver/bending/flexure.hpp"
-#include "solver/motion/analysis.hpp"
-#include "solver/motion/interrupt.hpp"
 
 namespace weaveform {
 namespace {

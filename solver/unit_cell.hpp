@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

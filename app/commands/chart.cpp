@@ -1,6 +1,6 @@
 // weaveform chart FILE...: columns of delimited files over one another as SVG or HTML, e.g. measured over predicted
 // loads.
-#include "mesher/base/chart.hpp"
+#include "core/chart/chart.hpp"
 
 #include <fmt/core.h>
 
@@ -12,11 +12,11 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
-#include "app/output_folder.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/toml_document.hpp"
-#include "mesher/material/identify/raw_table.hpp"
+#include "app/stages/output_folder.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/keys/toml_document.hpp"
+#include "fabric/identify/raw_table.hpp"
 
 namespace weaveform {
 

@@ -1,11 +1,11 @@
 // weaveform check SCENE: reads a scene as `run` would, down to its mesh, and prints it complete with every default.
 #include <memory>
 
-#include "app/checked_model.hpp"
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/result_folder.hpp"
-#include "app/stages.hpp"
+#include "app/stages/checked_model.hpp"
+#include "app/stages/result_folder.hpp"
+#include "app/stages/stages.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {

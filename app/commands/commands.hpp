@@ -33,7 +33,7 @@ void add_study_command(CLI::App& program);
 struct SceneArguments {
   std::string scene;                   // file
   std::vector<std::string> overrides;  // "key=value"
-  bool yes = false;                    // to memory, disk and hours beyond the bounds (app/room.hpp)
+  bool yes = false;                    // to memory, disk and hours beyond the bounds (app/stages/room.hpp)
 };
 
 // Of every command that may read an outline or tool; docs/tools.md says what it lifts.

@@ -1,6 +1,6 @@
 // weaveform post compare RESULT MEASUREMENT..., post virtual RESULT and post border RESULT: measured point fields
 // beside the simulation, the simulation as a measurement, and how wide an instrument makes the borders of its zones.
-#include "post/comparison/compare.hpp"
+#include "post/dic/comparison/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/output_folder.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "post/dic_settings/settings_form.hpp"
-#include "post/measurement/measurement.hpp"
-#include "post/virtual_dic/border.hpp"
-#include "post/virtual_dic/export.hpp"
+#include "app/stages/output_folder.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "post/dic/readers/measurement.hpp"
+#include "post/dic/settings/settings_form.hpp"
+#include "post/dic/virtual/border.hpp"
+#include "post/dic/virtual/export.hpp"
 
 namespace weaveform {
 

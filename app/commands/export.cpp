@@ -1,5 +1,5 @@
 // weaveform export SCENE|DIR: the mesh for other codes, or a formed folder's fibre directions for structural analysis.
-#include "mesher/export/export.hpp"
+#include "mesher/exchange/export.hpp"
 
 #include <fmt/format.h>
 
@@ -11,16 +11,16 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/result_folder.hpp"
-#include "app/stages.hpp"
-#include "app/version.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/length_unit.hpp"
+#include "app/stages/result_folder.hpp"
+#include "app/stages/stages.hpp"
+#include "core/files/files.hpp"
+#include "core/keys/length_unit.hpp"
+#include "core/version/version.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/transfer/fibre_field.hpp"
 #include "post/transfer/write_fibre.hpp"
-#include "solver/motion/loading.hpp"
+#include "solver/analysis/loading.hpp"
 
 namespace weaveform {
 

@@ -6,10 +6,10 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/output_folder.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/material/identify/identify.hpp"
+#include "app/stages/output_folder.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "fabric/identify/identify.hpp"
 #include "solver/result/chart_file.hpp"
 
 namespace weaveform {

@@ -6,8 +6,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/nearest_name.hpp"
+#include "core/error.hpp"
+#include "core/keys/nearest_name.hpp"
 
 namespace weaveform {
 

@@ -1,5 +1,5 @@
 // weaveform import FILE: a mesh of another code as a folder that `weaveform solve` takes.
-#include "mesher/import/import.hpp"
+#include "mesher/exchange/import.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/result_folder.hpp"
-#include "app/stages.hpp"
-#include "mesher/base/files.hpp"
+#include "app/stages/result_folder.hpp"
+#include "app/stages/stages.hpp"
+#include "core/files/files.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {

@@ -2,7 +2,7 @@
 // output).
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {

@@ -6,9 +6,9 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/plan.hpp"
-#include "app/result_folder.hpp"
-#include "app/stages.hpp"
+#include "app/stages/plan.hpp"
+#include "app/stages/result_folder.hpp"
+#include "app/stages/stages.hpp"
 
 namespace weaveform {
 

@@ -4,8 +4,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/result_folder.hpp"
-#include "app/stages.hpp"
+#include "app/stages/result_folder.hpp"
+#include "app/stages/stages.hpp"
 
 namespace weaveform {
 

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/checked_model.hpp"
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/result_folder.hpp"
-#include "app/stages.hpp"
+#include "app/stages/checked_model.hpp"
+#include "app/stages/result_folder.hpp"
+#include "app/stages/stages.hpp"
 #include "app/study/accuracy.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {

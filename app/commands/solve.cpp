@@ -5,9 +5,9 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/result_folder.hpp"
-#include "app/stages.hpp"
-#include "app/version.hpp"
+#include "app/stages/result_folder.hpp"
+#include "app/stages/stages.hpp"
+#include "core/version/version.hpp"
 
 namespace weaveform {
 

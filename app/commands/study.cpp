@@ -8,12 +8,12 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/output_folder.hpp"
+#include "app/stages/output_folder.hpp"
 #include "app/study/border_run.hpp"
 #include "app/study/report.hpp"
 #include "app/study/runner.hpp"
 #include "app/study/snakemake.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform {
 

@@ -12,9 +12,9 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/output_folder.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "app/stages/output_folder.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/surface_file.hpp"
 #include "mesher/tools/triangle_report.hpp"

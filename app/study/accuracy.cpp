@@ -10,7 +10,7 @@
 #include "app/study/convergence_report.hpp"
 #include "app/study/measure.hpp"
 #include "app/study/runner.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/convergence/convergence.hpp"
 

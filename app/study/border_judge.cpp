@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/study/measure.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform::study {
 

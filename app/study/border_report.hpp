@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/study/border_run.hpp"
-#include "mesher/base/chart.hpp"
+#include "core/chart/chart.hpp"
 
 namespace weaveform::study {
 

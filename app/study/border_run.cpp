@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/key_value.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/keys/key_value.hpp"
 
 namespace weaveform::study {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/key_value.hpp"
-#include "mesher/base/toml_document.hpp"
+#include "core/keys/key_value.hpp"
+#include "core/keys/toml_document.hpp"
 
 namespace weaveform::study {
 

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "app/study/measure.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 
 namespace weaveform::study {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/material/card.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform::study {

@@ -10,7 +10,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform::study {
 

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/nearest_name.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/keys/nearest_name.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "solver/result/result.hpp"
 

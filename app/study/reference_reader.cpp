@@ -7,7 +7,7 @@
 
 #include "app/study/study_schema.hpp"
 #include "app/study/study_tables.hpp"
-#include "mesher/base/nearest_name.hpp"
+#include "core/keys/nearest_name.hpp"
 
 namespace weaveform::study {
 

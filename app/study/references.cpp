@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/nearest_name.hpp"
+#include "core/error.hpp"
+#include "core/keys/nearest_name.hpp"
 
 namespace weaveform::study {
 

@@ -13,8 +13,8 @@
 #include "app/study/table.hpp"
 #include "app/study/work_precision.hpp"
 #include "app/study/work_precision_report.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/result/chart_file.hpp"
 

@@ -13,11 +13,11 @@
 
 #include "app/study/child.hpp"
 #include "app/study/measure.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/folder_lock.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/files/folder_lock.hpp"
 #include "mesher/tools/geo_script.hpp"
-#include "solver/motion/interrupt.hpp"
+#include "solver/analysis/interrupt.hpp"
 
 namespace weaveform::study {
 

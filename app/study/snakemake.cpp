@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/study/runner.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/toml_document.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/keys/toml_document.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform::study {

@@ -8,8 +8,8 @@
 #include "app/study/reference_reader.hpp"
 #include "app/study/study_schema.hpp"
 #include "app/study/study_tables.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 #include "mesher/scene/schema.hpp"
 
 namespace weaveform::study {

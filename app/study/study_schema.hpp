@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/study/study_spec.hpp"
-#include "mesher/base/key_table.hpp"
+#include "core/keys/key_table.hpp"
 
 namespace weaveform::study {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/study/border_spec.hpp"
-#include "mesher/base/toml_document.hpp"
+#include "core/keys/toml_document.hpp"
 
 namespace weaveform::study {
 

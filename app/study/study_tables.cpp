@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "mesher/base/key_value.hpp"
+#include "core/keys/key_value.hpp"
 
 namespace weaveform::study {
 

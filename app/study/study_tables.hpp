@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/study/study_spec.hpp"
-#include "mesher/base/toml_document.hpp"
+#include "core/keys/toml_document.hpp"
 
 namespace weaveform::study {
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/study/measure.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform::study {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/study/work_precision.hpp"
-#include "mesher/base/chart.hpp"
+#include "core/chart/chart.hpp"
 
 namespace weaveform::study {
 

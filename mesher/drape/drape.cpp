@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/drape/border_cells.hpp"
 #include "mesher/drape/generator.hpp"
 #include "mesher/drape/regions.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/nearest_name.hpp"
+#include "core/error.hpp"
+#include "core/keys/nearest_name.hpp"
 
 namespace weaveform {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/advice.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
+#include "core/keys/advice.hpp"
 #include "mesher/drape/drape.hpp"
 #include "mesher/lattice/cross.hpp"
 #include "mesher/lattice/cut_cells.hpp"

@@ -1,7 +1,7 @@
 // The yarn lattice of a flat blank, cut by its outline (replaces the paper's FORTRAN generator).
 #pragma once
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/outline/blank_outline.hpp"
 #include "mesher/outline/loops.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "fabric/card/card.hpp"
 #include "mesher/lattice/fit.hpp"
-#include "mesher/material/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 
 namespace weaveform::lattice {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/mesh/mesh_check.hpp"
 #include "mesher/mesh/mesh_format.hpp"
 #include "mesher/mesh/mesh_io.hpp"

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 
-#include "mesher/base/files.hpp"
+#include "core/files/files.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 
 namespace weaveform {

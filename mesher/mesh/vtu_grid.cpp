@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "mesher/base/bytes.hpp"
+#include "core/files/bytes.hpp"
 
 namespace weaveform {
 

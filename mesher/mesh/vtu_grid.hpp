@@ -1,7 +1,7 @@
 // An unstructured grid out of a .vtu file as plain arrays, whoever wrote it; the only way such files are read here.
 //
 // VTK's reader believes what a file says of itself; damaged files make it crash, go on for ever or ask for all memory.
-// It therefore works in a child process (mesher/base/guarded.hpp), and what it makes of the file is looked at before it
+// It therefore works in a child process (core/guard/guarded.hpp), and what it makes of the file is looked at before it
 // is used: every cell names points that are there, every array has as many values as its place asks for.
 #pragma once
 

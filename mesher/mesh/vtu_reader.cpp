@@ -16,9 +16,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/guarded.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/guard/guarded.hpp"
 #include "mesher/mesh/mesh_format.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "mesher/mesh/vtk_messages.hpp"

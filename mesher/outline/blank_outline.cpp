@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/length_unit.hpp"
-#include "mesher/import/text_words.hpp"
+#include "core/error.hpp"
+#include "core/files/text_words.hpp"
+#include "core/keys/length_unit.hpp"
 #include "mesher/outline/cad_outline.hpp"
 #include "mesher/outline/dxf_outline.hpp"
 #include "mesher/outline/loops.hpp"

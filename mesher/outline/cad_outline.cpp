@@ -9,8 +9,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "mesher/base/bytes.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
+#include "core/files/bytes.hpp"
 #include "mesher/outline/join_curves.hpp"
 #include "mesher/tools/gmsh_session.hpp"
 #include "mesher/tools/triangles.hpp"

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "mesher/base/error.hpp"
-#include "mesher/import/text_words.hpp"
+#include "core/error.hpp"
+#include "core/files/text_words.hpp"
 #include "mesher/outline/dxf_shapes.hpp"
 
 namespace weaveform {

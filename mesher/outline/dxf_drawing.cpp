@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "mesher/base/error.hpp"
-#include "mesher/import/text_words.hpp"
+#include "core/error.hpp"
+#include "core/files/text_words.hpp"
 
 namespace weaveform {
 

@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/length_unit.hpp"
-#include "mesher/import/text_words.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/files/text_words.hpp"
+#include "core/keys/length_unit.hpp"
 #include "mesher/outline/dxf_curves.hpp"
 #include "mesher/outline/join_curves.hpp"
 #include "mesher/tools/triangle_list.hpp"

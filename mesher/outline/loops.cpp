@@ -9,8 +9,8 @@
 #include <optional>
 #include <sstream>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 
 namespace weaveform {
 namespace {

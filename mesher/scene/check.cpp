@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "mesher/base/nearest_name.hpp"
-#include "mesher/material/card.hpp"
+#include "core/keys/nearest_name.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/check_tools.hpp"
 
 namespace weaveform {

@@ -1,7 +1,7 @@
 // Checks that involve several keys of a scene at once: what no single row of the key table can say.
 #pragma once
 
-#include "mesher/base/toml_document.hpp"
+#include "core/keys/toml_document.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

@@ -1,7 +1,7 @@
 // Checks of [tools.NAME] that involve several keys: what a shape needs and what means nothing to it, motion or force.
 #pragma once
 
-#include "mesher/base/toml_document.hpp"
+#include "core/keys/toml_document.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <optional>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/nearest_name.hpp"
+#include "core/error.hpp"
+#include "core/keys/nearest_name.hpp"
 #include "mesher/scene/schema.hpp"
 
 namespace weaveform {

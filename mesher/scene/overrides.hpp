@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/toml_document.hpp"
+#include "core/keys/toml_document.hpp"
 
 namespace weaveform {
 

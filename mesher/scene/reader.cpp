@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "mesher/base/files.hpp"
-#include "mesher/base/nearest_name.hpp"
-#include "mesher/base/toml_document.hpp"
-#include "mesher/material/card.hpp"
+#include "core/files/files.hpp"
+#include "core/keys/nearest_name.hpp"
+#include "core/keys/toml_document.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/check.hpp"
 #include "mesher/scene/overrides.hpp"
 #include "mesher/scene/schema.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/key_info.hpp"
+#include "core/keys/key_info.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

@@ -123,7 +123,7 @@ struct AnalysisSpec {
   Auto loading_speed;                   // mm/s; greatest speed of any grip; an alternative to duration
   double step_factor = 0.9;             // fraction of the stable step
   std::string step_bound = "stiffest";  // "stiffest": the stable step is that of the yarns' stiffest tangent;
-                                        // "reached": of the stiffest they have reached (solver/motion/reach.hpp)
+                                        // "reached": of the stiffest they have reached (solver/ply/reach.hpp)
   int bending_every = 1;                // steps from one evaluation of bending to the next
   double mass_scale = 1.0;              // factor on the fabric's mass, not on its weight
   Auto contact_stiffness;               // 1; factor on the contact springs of the tools; auto: 1, "reached" 0.5

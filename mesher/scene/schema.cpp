@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "mesher/base/length_unit.hpp"
+#include "core/keys/length_unit.hpp"
 
 namespace weaveform {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/key_table.hpp"
+#include "core/keys/key_table.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "mesher/base/toml_document.hpp"
+#include "core/keys/toml_document.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 #include "mesher/symmetry/mirror_map.hpp"
 

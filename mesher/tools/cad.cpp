@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "mesher/base/bytes.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/guarded.hpp"
+#include "core/error.hpp"
+#include "core/files/bytes.hpp"
+#include "core/files/files.hpp"
+#include "core/guard/guarded.hpp"
 #include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/gmsh_session.hpp"
 #include "mesher/tools/script_triangles.hpp"

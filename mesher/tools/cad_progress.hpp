@@ -1,10 +1,10 @@
-// How far OpenCASCADE has come, told to the process that waits (mesher/base/guarded.hpp).
+// How far OpenCASCADE has come, told to the process that waits (core/guard/guarded.hpp).
 #pragma once
 
 #include <Message_ProgressIndicator.hxx>
 #include <Message_ProgressRange.hxx>
 
-#include "mesher/base/guarded.hpp"
+#include "core/guard/guarded.hpp"
 
 namespace weaveform {
 

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/tools/cad_progress.hpp"
 
 namespace weaveform {

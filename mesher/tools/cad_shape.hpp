@@ -1,4 +1,4 @@
-// STEP, IGES and BREP files as shapes of OpenCASCADE. In a guarded child only (mesher/base/guarded.hpp).
+// STEP, IGES and BREP files as shapes of OpenCASCADE. In a guarded child only (core/guard/guarded.hpp).
 #pragma once
 
 #include <TopoDS_Shape.hxx>

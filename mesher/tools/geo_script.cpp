@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/tools/geo_words.hpp"
 
 namespace weaveform {

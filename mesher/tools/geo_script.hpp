@@ -17,7 +17,7 @@ namespace weaveform {
 
 // Whether scripts are read without being looked at: a setting of the whole process, made once by a command's
 // --trust-geo before anything is read. They still run in a child process with limits of time and memory
-// (mesher/base/guarded.hpp).
+// (core/guard/guarded.hpp).
 void trust_geo_scripts(bool trusted);
 [[nodiscard]] bool geo_scripts_are_trusted();
 

@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/guarded.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/guard/guarded.hpp"
 #include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/geo_script.hpp"
 #include "mesher/tools/shape_triangles.hpp"

@@ -1,5 +1,5 @@
 // One geometry file open in OpenCASCADE or the Gmsh SDK. Gmsh is one global state: set up for one file, gone after it.
-// Everything here happens in a guarded child process (mesher/base/guarded.hpp), for what reads the files does not
+// Everything here happens in a guarded child process (core/guard/guarded.hpp), for what reads the files does not
 // survive damaged ones.
 #pragma once
 

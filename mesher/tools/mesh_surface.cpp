@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "mesher/base/error.hpp"
-#include "mesher/import/foreign_mesh.hpp"
+#include "core/error.hpp"
+#include "mesher/exchange/foreign_mesh.hpp"
 
 namespace weaveform {
 

@@ -16,7 +16,8 @@ struct MeshSurface {
 
 // The three- and four-node shells of the instance, part or element set `name` (any case of letters) when the file has
 // one of that name with shells in it, else all of the file's, instances in their places. Lines and points are passed
-// over. Throws FileError, InputError as read_foreign_mesh (mesher/import/foreign_mesh.hpp), and when there is no shell.
+// over. Throws FileError, InputError as read_foreign_mesh (mesher/exchange/foreign_mesh.hpp), and when there is no
+// shell.
 [[nodiscard]] MeshSurface read_mesh_surface(const std::filesystem::path& file, const std::string& name = "");
 
 }  // namespace weaveform

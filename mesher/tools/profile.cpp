@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/key_value.hpp"
+#include "core/error.hpp"
+#include "core/keys/key_value.hpp"
 
 namespace weaveform {
 namespace {

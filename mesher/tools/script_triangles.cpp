@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/guarded.hpp"
+#include "core/error.hpp"
+#include "core/guard/guarded.hpp"
 
 namespace weaveform {
 

@@ -26,7 +26,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/tools/cad_progress.hpp"
 #include "mesher/tools/shape_error.hpp"
 #include "mesher/tools/shape_nodes.hpp"

@@ -11,8 +11,8 @@
 #include <limits>
 #include <map>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 
 namespace weaveform {
 

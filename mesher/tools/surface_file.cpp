@@ -6,9 +6,9 @@
 #include <map>
 #include <mutex>
 
-#include "mesher/base/digest.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/files.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/geo_script.hpp"
 #include "mesher/tools/mesh_surface.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/tools/surface_file.hpp"
 #include "mesher/tools/triangle_report.hpp"
 

@@ -14,7 +14,7 @@
 #include <numeric>
 #include <set>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform {
 namespace {

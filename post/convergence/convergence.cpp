@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform {
 

@@ -14,8 +14,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/chart.hpp"
-#include "mesher/base/files.hpp"
+#include "core/chart/chart.hpp"
+#include "core/files/files.hpp"
 #include "mesher/drape/sphere_net.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "post/forming/forming.hpp"

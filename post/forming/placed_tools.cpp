@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform {
 namespace {

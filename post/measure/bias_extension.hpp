@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "mesher/base/trellis.hpp"
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
+#include "fabric/trellis/bias_rectangle.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

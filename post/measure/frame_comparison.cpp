@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/trellis.hpp"
+#include "core/error.hpp"
+#include "fabric/trellis/shear_frame.hpp"
 #include "post/unit_cell/closed_form.hpp"
 
 namespace weaveform {

@@ -2,7 +2,7 @@
 // evaluation makes of the travel (Eqs. 12 and 13).
 #pragma once
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/result/result.hpp"
 

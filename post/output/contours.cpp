@@ -22,7 +22,7 @@
 #include <numbers>
 #include <utility>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 

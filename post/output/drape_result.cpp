@@ -19,7 +19,7 @@
 #include <numeric>
 #include <vector>
 
-#include "mesher/base/files.hpp"
+#include "core/files/files.hpp"
 #include "mesher/drape/flat_pattern.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 

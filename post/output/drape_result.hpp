@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "fabric/card/card.hpp"
 #include "mesher/drape/drape.hpp"
-#include "mesher/material/card.hpp"
 
 namespace weaveform {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 #include "solver/result/statistics.hpp"
 
 namespace weaveform {

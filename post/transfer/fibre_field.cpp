@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
-#include "mesher/export/gathered.hpp"
-#include "mesher/material/card.hpp"
+#include "core/error.hpp"
+#include "fabric/card/card.hpp"
+#include "mesher/exchange/gathered.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/result/result.hpp"

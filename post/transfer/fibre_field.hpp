@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/import/foreign_mesh.hpp"
+#include "mesher/exchange/foreign_mesh.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "solver/result/fields.hpp"
 

@@ -16,10 +16,10 @@
 #include <map>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/length_unit.hpp"
-#include "mesher/import/foreign_mesh.hpp"
-#include "mesher/import/text_words.hpp"
+#include "core/error.hpp"
+#include "core/files/text_words.hpp"
+#include "core/keys/length_unit.hpp"
+#include "mesher/exchange/foreign_mesh.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
 #include "mesher/tools/triangle_list.hpp"
 #include "post/transfer/fibre_field.hpp"

@@ -9,8 +9,8 @@
 #include <map>
 #include <numbers>
 
-#include "mesher/base/length_unit.hpp"
-#include "mesher/export/gathered.hpp"
+#include "core/keys/length_unit.hpp"
+#include "mesher/exchange/gathered.hpp"
 #include "post/transfer/write_fibre.hpp"
 
 namespace weaveform {

@@ -16,8 +16,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/length_unit.hpp"
-#include "mesher/export/gathered.hpp"
+#include "core/keys/length_unit.hpp"
+#include "mesher/exchange/gathered.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "mesher/base/advice.hpp"
+#include "core/keys/advice.hpp"
 #include "post/trust/borders.hpp"
 #include "post/trust/chords.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "post/trust/borders.hpp"
-#include "solver/motion/loading.hpp"
+#include "solver/analysis/loading.hpp"
 
 namespace weaveform {
 namespace {

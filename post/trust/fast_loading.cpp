@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mesher/base/advice.hpp"
+#include "core/keys/advice.hpp"
 #include "post/trust/borders.hpp"
 #include "post/trust/inertia.hpp"
 

@@ -1,10 +1,10 @@
 // Fibres break at a few hundredths of elastic strain, and a card's tension law is measured or meant to less than that.
-// A yarn is beyond its card when it bears more than the card's law gives at valid_to (solver/motion/torn_yarns.hpp);
+// A yarn is beyond its card when it bears more than the card's law gives at valid_to (solver/ply/torn_yarns.hpp);
 // one that is torn ended the run.
 #include <fmt/format.h>
 
 #include "post/trust/borders.hpp"
-#include "solver/motion/torn_yarns.hpp"
+#include "solver/ply/torn_yarns.hpp"
 
 namespace weaveform {
 

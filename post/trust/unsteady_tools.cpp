@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesher/base/advice.hpp"
+#include "core/keys/advice.hpp"
 #include "post/trust/borders.hpp"
 #include "post/trust/pushed_tools.hpp"
 #include "solver/contact/contact.hpp"

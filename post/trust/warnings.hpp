@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "post/output/summary.hpp"
 #include "solver/result/fields.hpp"

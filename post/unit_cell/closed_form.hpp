@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 
 namespace weaveform {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mesher/base/chart.hpp"
+#include "core/chart/chart.hpp"
 #include "post/unit_cell/study.hpp"
 
 namespace weaveform {

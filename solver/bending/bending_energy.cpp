@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "solver/lattice/packed.hpp"
+#include "solver/state/packed.hpp"
 
 namespace weaveform {
 namespace {

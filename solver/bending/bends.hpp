@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "core/vector/vector.hpp"
 #include "mesher/mesh/mesh.hpp"
-#include "solver/result/fields.hpp"
 
 namespace weaveform {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 
 namespace weaveform {
 namespace {

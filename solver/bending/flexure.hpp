@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {

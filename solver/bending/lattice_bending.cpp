@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "solver/bending/bend_kernels.hpp"
 #include "solver/bending/bending_energy.hpp"
-#include "solver/lattice/row_blocks.hpp"
+#include "solver/state/row_blocks.hpp"
 
 namespace weaveform {
 namespace {

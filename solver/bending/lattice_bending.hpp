@@ -14,9 +14,9 @@
 
 #include "solver/bending/bends.hpp"
 #include "solver/bending/flexure.hpp"
-#include "solver/lattice/packed.hpp"
-#include "solver/lattice/team.hpp"
-#include "solver/motion/force_term.hpp"
+#include "solver/state/force_term.hpp"
+#include "solver/state/packed.hpp"
+#include "solver/state/team.hpp"
 
 namespace weaveform {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "solver/bending/shell_energy.hpp"
 #include "solver/bending/shell_kernels.hpp"
-#include "solver/lattice/row_blocks.hpp"
+#include "solver/state/row_blocks.hpp"
 
 namespace weaveform {
 namespace {

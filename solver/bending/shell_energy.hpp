@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "solver/bending/bending_energy.hpp"
 #include "solver/bending/flexure.hpp"
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "mesher/base/advice.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
+#include "core/keys/advice.hpp"
 
 namespace weaveform {
 namespace {

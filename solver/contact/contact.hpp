@@ -20,12 +20,12 @@
 #include "mesher/scene/scene.hpp"
 #include "mesher/tools/tool.hpp"
 #include "solver/contact/contact_kernel.hpp"
-#include "solver/contact/contact_state.hpp"
 #include "solver/contact/tool_motion.hpp"
-#include "solver/contact/tool_reading.hpp"
-#include "solver/lattice/packed.hpp"
-#include "solver/lattice/team.hpp"
-#include "solver/motion/force_term.hpp"
+#include "solver/state/contact_state.hpp"
+#include "solver/state/force_term.hpp"
+#include "solver/state/packed.hpp"
+#include "solver/state/team.hpp"
+#include "solver/state/tool_reading.hpp"
 
 namespace weaveform {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/motion/grips.hpp"
+#include "solver/constraint/grips.hpp"
 
 namespace weaveform {
 namespace {

@@ -4,7 +4,7 @@
 // with S_p the polynomial of piece p about its end nearest to zero strain.
 #pragma once
 
-#include "mesher/material/law.hpp"
+#include "fabric/law/tangent_law.hpp"
 
 namespace weaveform {
 

@@ -6,12 +6,12 @@
 #include <array>
 #include <memory>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/element/strain_range.hpp"
-#include "solver/lattice/packed.hpp"
-#include "solver/lattice/state.hpp"
-#include "solver/lattice/team.hpp"
+#include "solver/state/packed.hpp"
+#include "solver/state/state.hpp"
+#include "solver/state/team.hpp"
 
 namespace weaveform {
 

@@ -1,6 +1,6 @@
 #include "solver/lattice/row_kernels.hpp"
 
-#include "solver/lattice/packed.hpp"
+#include "solver/state/packed.hpp"
 
 namespace weaveform {
 namespace {

@@ -3,9 +3,9 @@
 #include <functional>
 #include <mutex>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/say.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/log/say.hpp"
 
 namespace weaveform {
 namespace {

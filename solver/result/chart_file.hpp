@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/chart.hpp"
+#include "core/chart/chart.hpp"
 
 namespace weaveform {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/lattice/packed.hpp"
+#include "solver/state/packed.hpp"
 
 namespace weaveform {
 

@@ -5,15 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "core/vector/vector.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
-#include "solver/contact/contact_state.hpp"
 #include "solver/element/yarn_law.hpp"
+#include "solver/state/contact_state.hpp"
 
 namespace weaveform {
-
-using Vec3 = std::array<double, 3>;
 
 struct Fields {
   double time = 0.0;                // s

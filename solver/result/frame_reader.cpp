@@ -13,10 +13,10 @@
 #include <string_view>
 #include <utility>
 
-#include "mesher/base/bytes.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
-#include "mesher/base/guarded.hpp"
+#include "core/error.hpp"
+#include "core/files/bytes.hpp"
+#include "core/files/files.hpp"
+#include "core/guard/guarded.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
 #include "solver/result/result.hpp"

@@ -25,8 +25,8 @@
 #include <system_error>
 #include <utility>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "solver/result/beside.hpp"
 #include "solver/result/result.hpp"

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <string>
 
-#include "mesher/base/files.hpp"
+#include "core/files/files.hpp"
 
 namespace weaveform {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <string_view>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/files.hpp"
+#include "core/error.hpp"
+#include "core/files/files.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform {

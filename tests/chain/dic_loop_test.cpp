@@ -10,9 +10,9 @@
 #include <sstream>
 #include <string>
 
-#include "mesher/base/error.hpp"
-#include "post/comparison/compare.hpp"
-#include "post/virtual_dic/border.hpp"
+#include "core/error.hpp"
+#include "post/dic/comparison/compare.hpp"
+#include "post/dic/virtual/border.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ protected:
   static void SetUpTestSuite() {
     folder_ = new test::TemporaryFolder;
     test::write_text(test::tiny_scene(), path() / "scene.toml");
-    std::string card = test::read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "mesher/material/cards/twintex-pw.toml");
+    std::string card = test::read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "fabric/cards/twintex-pw.toml");
     const std::string table3 = "[0.264, -1.066, 0.939, 1.68]";
     const auto at = card.find(table3);
     ASSERT_NE(at, std::string::npos) << "the card's Table 3 is written differently";

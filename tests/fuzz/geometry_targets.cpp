@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "mesher/import/foreign_mesh.hpp"
-#include "mesher/import/import.hpp"
+#include "mesher/exchange/foreign_mesh.hpp"
+#include "mesher/exchange/import.hpp"
 #include "mesher/tools/geo_script.hpp"
 #include "mesher/tools/mesh_surface.hpp"
 #include "mesher/tools/profile.hpp"

@@ -6,7 +6,7 @@
 #include "app/study/measure.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
-#include "solver/motion/checkpoint.hpp"
+#include "solver/analysis/checkpoint.hpp"
 #include "solver/result/result.hpp"
 #include "tests/fuzz/rooms.hpp"
 #include "tests/fuzz/scratch_file.hpp"

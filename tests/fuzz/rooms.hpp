@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/base/error.hpp"
-#include "mesher/material/card.hpp"
+#include "core/error.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/reader.hpp"
 #include "tests/fuzz/targets.hpp"
 

@@ -3,12 +3,12 @@
 #include <string>
 
 #include "app/study/study_spec.hpp"
+#include "fabric/identify/fit_spec.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/lattice/expected_size.hpp"
-#include "mesher/material/identify/fit_spec.hpp"
 #include "mesher/mesh/mesh_check.hpp"
-#include "post/dic_settings/settings.hpp"
-#include "solver/motion/identity.hpp"
+#include "post/dic/settings/settings.hpp"
+#include "solver/analysis/identity.hpp"
 #include "tests/fuzz/rooms.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 

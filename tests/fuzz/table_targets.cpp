@@ -1,11 +1,11 @@
 #include <cmath>
 #include <string>
 
-#include "mesher/material/identify/raw_table.hpp"
+#include "fabric/identify/raw_table.hpp"
 #include "mesher/outline/dxf_outline.hpp"
 #include "mesher/outline/loops.hpp"
-#include "post/dic_settings/settings.hpp"
-#include "post/measurement/measurement.hpp"
+#include "post/dic/readers/measurement.hpp"
+#include "post/dic/settings/settings.hpp"
 #include "tests/fuzz/rooms.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "post/comparison/compare.hpp"
+#include "post/dic/comparison/compare.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace {

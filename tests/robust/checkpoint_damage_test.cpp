@@ -4,11 +4,11 @@
 #include <cstring>
 #include <string>
 
-#include "mesher/base/digest.hpp"
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
+#include "core/files/digest.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
-#include "solver/motion/checkpoint.hpp"
+#include "solver/analysis/checkpoint.hpp"
 #include "solver/solve.hpp"
 #include "tests/support/run_command.hpp"
 

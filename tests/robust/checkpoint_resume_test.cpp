@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"

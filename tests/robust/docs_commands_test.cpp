@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/scene/reader.hpp"
 #include "tests/support/run_command.hpp"
 

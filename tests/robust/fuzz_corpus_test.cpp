@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "mesher/base/files.hpp"
+#include "core/files/files.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace weaveform {

@@ -103,7 +103,7 @@ TEST_F(KilledRun, RefusesAnotherSceneByNameInSolveToo) {
 }
 
 TEST_F(KilledRun, RefusesACardOfOtherContent) {
-  const std::string card = read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "mesher/material/cards/twintex-pw.toml");
+  const std::string card = read_text(fs::path(WEAVEFORM_SOURCE_DIR) / "fabric/cards/twintex-pw.toml");
   write_text(card, file("my.toml"));
   ASSERT_EQ(run("sed -i 's/\"twintex-pw\"/\"my.toml\"/' tiny.toml").exit_code, 0);
   ASSERT_EQ(run(stopped_by("INT", "frames/frame_0001.vtu")).exit_code, 130);

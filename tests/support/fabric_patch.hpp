@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "fabric/card/card.hpp"
 #include "mesher/lattice/build.hpp"
-#include "mesher/material/card.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/lattice/forces.hpp"
-#include "solver/motion/energy.hpp"
+#include "solver/ply/energy.hpp"
 #include "solver/result/fields.hpp"
 
 namespace weaveform::test {

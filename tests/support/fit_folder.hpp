@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "mesher/base/error.hpp"
-#include "mesher/material/identify/identify.hpp"
+#include "core/error.hpp"
+#include "fabric/identify/identify.hpp"
 
 namespace weaveform::test {
 

@@ -10,14 +10,14 @@
 #include <memory>
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/bending/lattice_bending.hpp"
 #include "solver/bending/shell.hpp"
+#include "solver/constraint/ties.hpp"
 #include "solver/lattice/forces.hpp"
-#include "solver/motion/ties.hpp"
 
 namespace weaveform::test {
 

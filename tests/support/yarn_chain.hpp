@@ -8,12 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include "mesher/material/card.hpp"
+#include "fabric/card/card.hpp"
 #include "solver/lattice/forces.hpp"
-#include "solver/motion/critical_step.hpp"
-#include "solver/motion/energy.hpp"
-#include "solver/motion/gravity.hpp"
-#include "solver/motion/motion.hpp"
+#include "solver/ply/critical_step.hpp"
+#include "solver/ply/energy.hpp"
+#include "solver/ply/gravity.hpp"
+#include "solver/ply/motion.hpp"
 #include "solver/result/fields.hpp"
 
 namespace weaveform::test {

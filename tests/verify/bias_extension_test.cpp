@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/trellis.hpp"
+#include "core/error.hpp"
+#include "fabric/trellis/bias_rectangle.hpp"
 #include "tests/support/scene_run.hpp"
 
 namespace weaveform {

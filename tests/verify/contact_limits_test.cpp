@@ -7,7 +7,7 @@
 #include <iomanip>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/run_command.hpp"
 

@@ -7,8 +7,8 @@
 #include <deque>
 
 #include "solver/contact/contact.hpp"
-#include "solver/motion/critical_step.hpp"
-#include "solver/motion/energy.hpp"
+#include "solver/ply/critical_step.hpp"
+#include "solver/ply/energy.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/fabric_patch.hpp"
 

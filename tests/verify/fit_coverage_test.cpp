@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/material/identify/shear_fit.hpp"
-#include "mesher/material/identify/tension_fit.hpp"
+#include "fabric/identify/shear_fit.hpp"
+#include "fabric/identify/tension_fit.hpp"
 #include "tests/support/fit_folder.hpp"
 
 namespace weaveform::identify {

@@ -3,7 +3,8 @@
 
 #include <numbers>
 
-#include "mesher/base/trellis.hpp"
+#include "fabric/trellis/bias_rectangle.hpp"
+#include "fabric/trellis/shear_frame.hpp"
 #include "tests/support/fit_folder.hpp"
 
 namespace weaveform {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "mesher/base/trellis.hpp"
+#include "fabric/trellis/shear_frame.hpp"
 #include "tests/support/fit_folder.hpp"
 
 namespace weaveform {

@@ -7,9 +7,9 @@
 
 #include "solver/bending/lattice_bending.hpp"
 #include "solver/bending/shell.hpp"
-#include "solver/motion/critical_step.hpp"
-#include "solver/motion/motion.hpp"
-#include "solver/motion/ties.hpp"
+#include "solver/constraint/ties.hpp"
+#include "solver/ply/critical_step.hpp"
+#include "solver/ply/motion.hpp"
 #include "tests/support/fabric_patch.hpp"
 
 namespace weaveform {

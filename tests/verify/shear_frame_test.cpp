@@ -1,11 +1,12 @@
 // The shear-frame scene against Eqs. 12 and 13, and the incremental formulation against its closed form in the unit
 // cell.
+#include "fabric/trellis/shear_frame.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/trellis.hpp"
 #include "tests/support/scene_run.hpp"
 
 namespace weaveform {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
+#include "solver/constraint/grips.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/contact/tool_motion.hpp"
-#include "solver/motion/grips.hpp"
 #include "tests/support/ask_border.hpp"
 #include "tests/support/contact_scene.hpp"
 

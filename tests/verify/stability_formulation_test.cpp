@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mesher/base/trellis.hpp"
+#include "fabric/trellis/shear_frame.hpp"
 #include "post/unit_cell/closed_form.hpp"
 #include "post/unit_cell/study.hpp"
 #include "solver/unit_cell.hpp"

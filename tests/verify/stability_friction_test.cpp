@@ -3,7 +3,7 @@
 // finer mesh bears more.
 #include <gtest/gtest.h>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "tests/support/belt.hpp"
 #include "tests/support/scene_run.hpp"
 

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "solver/element/yarn_law.hpp"
-#include "solver/motion/critical_step.hpp"
+#include "solver/ply/critical_step.hpp"
 #include "tests/support/trust.hpp"
 
 namespace weaveform {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "post/trust/chords.hpp"
 #include "tests/support/ask_border.hpp"
 #include "tests/support/belt.hpp"

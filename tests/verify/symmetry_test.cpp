@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/scene_run.hpp"
 

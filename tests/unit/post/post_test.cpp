@@ -7,13 +7,13 @@
 #include <numbers>
 #include <set>
 
-#include "mesher/base/error.hpp"
+#include "core/error.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/output/contours.hpp"
 #include "solver/result/result.hpp"
-#include "tests/unit/post/ideal_bias.hpp"
-#include "tests/unit/solver/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/post/measure/ideal_bias.hpp"
 
 namespace weaveform {
 namespace {

@@ -1,19 +1,19 @@
 set(UNIT_POST_SOURCES
   support/run_command.cpp
-  unit/post/advice_keys_test.cpp
-  unit/post/bias_extension_test.cpp
-  unit/post/convergence_test.cpp
-  unit/post/contours_test.cpp
-  unit/post/dic_comparison_test.cpp
-  unit/post/dic_instrument_test.cpp
-  unit/post/dic_readers_test.cpp
-  unit/post/dic_settings_form_test.cpp
-  unit/post/folds_test.cpp
-  unit/post/forming_test.cpp
-  unit/post/frame_comparison_test.cpp
+  unit/post/convergence/convergence_test.cpp
+  unit/post/dic/dic_comparison_test.cpp
+  unit/post/dic/dic_instrument_test.cpp
+  unit/post/dic/dic_readers_test.cpp
+  unit/post/dic/dic_settings_form_test.cpp
+  unit/post/forming/forming_test.cpp
+  unit/post/forming/wrinkles_test.cpp
+  unit/post/measure/bias_extension_test.cpp
+  unit/post/measure/folds_test.cpp
+  unit/post/measure/frame_comparison_test.cpp
+  unit/post/output/contours_test.cpp
+  unit/post/output/summary_test.cpp
   unit/post/post_test.cpp
-  unit/post/summary_test.cpp
-  unit/post/transfer_test.cpp
-  unit/post/trust_tools_test.cpp
-  unit/post/wrinkles_test.cpp
+  unit/post/transfer/transfer_test.cpp
+  unit/post/trust/advice_keys_test.cpp
+  unit/post/trust/trust_tools_test.cpp
 )

@@ -1,16 +1,16 @@
 set(UNIT_SOLVER_SOURCES
-  unit/solver/bending_test.cpp
-  unit/solver/contact_law_test.cpp
-  unit/solver/contact_state_test.cpp
-  unit/solver/fabric_forces_test.cpp
-  unit/solver/fields_test.cpp
-  unit/solver/frames_test.cpp
-  unit/solver/history_test.cpp
-  unit/solver/incremental_cell_test.cpp
-  unit/solver/mirror_planes_test.cpp
-  unit/solver/reach_test.cpp
-  unit/solver/shell_test.cpp
-  unit/solver/team_test.cpp
-  unit/solver/torn_yarns_test.cpp
-  unit/solver/yarn_law_test.cpp
+  unit/solver/bending/bending_test.cpp
+  unit/solver/bending/shell_test.cpp
+  unit/solver/constraint/mirror_planes_test.cpp
+  unit/solver/contact/contact_law_test.cpp
+  unit/solver/element/incremental_cell_test.cpp
+  unit/solver/element/yarn_law_test.cpp
+  unit/solver/lattice/fabric_forces_test.cpp
+  unit/solver/ply/reach_test.cpp
+  unit/solver/ply/torn_yarns_test.cpp
+  unit/solver/result/fields_test.cpp
+  unit/solver/result/frames_test.cpp
+  unit/solver/result/history_test.cpp
+  unit/solver/state/contact_state_test.cpp
+  unit/solver/state/team_test.cpp
 )

@@ -1,0 +1,107 @@
+#include "app/stages/plan.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/stages/stages.hpp"
+#include "core/error.hpp"
+#include "mesher/scene/reader.hpp"
+#include "solver/solve.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr std::array factors = {8.0, 4.0, 2.0, 1.0, 0.5};  // from coarse to fine: memory only grows
+constexpr int trial_steps = 400, least_trial_steps = 4;
+constexpr double trial_cell_steps = 4e7;  // some seconds
+constexpr double trial_seconds = 3.0;     // levels that take less are run to their end
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+// How many more steps than duration over flat step a whole run took; 1 when it failed.
+double shortening(const Model& model, int threads) {
+  try {
+    const auto flat =
+        solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true, .most_steps = 1});
+    const auto whole = solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true});
+    return static_cast<double>(whole.statistics.steps) * flat.statistics.step_s / whole.statistics.duration_s;
+  } catch (const PhysicsError&) {
+    return 1.0;
+  }
+}
+
+PlanRow measured_row(const Model& model, int threads) {
+  PlanRow row;
+  for (int e = 0; e < model.mesh.yarn_count(); ++e)
+    (model.mesh.yarns.family[e] == Family::warp ? row.warp_length : row.weft_length) +=
+        model.mesh.yarns.yarns[e] * model.mesh.yarns.rest_length[e];
+  const long most_steps =
+      std::clamp(static_cast<int>(trial_cell_steps / model.mesh.cells.size()), least_trial_steps, trial_steps);
+  const auto trial =
+      solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true, .most_steps = most_steps});
+  const auto& s = trial.statistics;
+  row.cells = s.cells;
+  row.solved = s.cells_solved;
+  row.step = s.step_s;
+  row.steps = s.duration_s / s.step_s;
+  row.seconds = s.wall_s / static_cast<double>(s.steps);  // per step; times the steps once they are known
+  row.megabytes = peak_megabytes();
+  return row;
+}
+
+}  // namespace
+
+std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<std::string>& overrides, int threads) {
+  const Scene asked = read_scene(scene_file, overrides);
+  std::vector<PlanRow> rows;
+  std::vector<double> shorter;  // of each row; of one that takes long, that of the finest that does not
+  double known = 1.0;
+  for (const double factor : factors) {
+    auto with_factor = overrides;
+    with_factor.push_back(fmt::format("blank.coarsening=[{:.17g},{:.17g}]", factor * asked.blank.coarsening[0],
+                                      factor * asked.blank.coarsening[1]));
+    with_factor.emplace_back("analysis.perturbation=0.0");  // a perturbed run is two runs
+    PlanRow row;
+    try {
+      const Model model = build_model(scene_file, with_factor);
+      row = measured_row(model, threads);
+      if (row.seconds * row.steps < trial_seconds) known = shortening(model, threads);
+    } catch (const InputError& error) {
+      row.refused = error.complaints().front();
+    }
+    row.factor = factor;
+    rows.push_back(std::move(row));
+    shorter.push_back(known);
+  }
+  if (std::all_of(rows.begin(), rows.end(), [](const PlanRow& row) { return !row.refused.empty(); }))
+    throw InputError(rows.back().refused);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    rows[r].steps *= shorter[r];
+    rows[r].seconds *= rows[r].steps;
+  }
+  return rows;
+}
+
+std::string plan_table(const std::vector<PlanRow>& rows) {
+  std::string text =
+      "coarsening     cells    solved   warp m   weft m   flat step s        steps   solve time s   memory MB\n";
+  for (const auto& row : rows) {
+    if (!row.refused.empty()) {
+      text += fmt::format("{:>9g}x  no mesh: {}\n", row.factor, row.refused);
+      continue;
+    }
+    text += fmt::format("{:>9g}x {:>9} {:>9} {:>8.2f} {:>8.2f} {:>13.3e} {:>12.0f} {:>14.2g} {:>11.0f}\n", row.factor,
+                        row.cells, row.solved, 1e-3 * row.warp_length, 1e-3 * row.weft_length, row.step, row.steps,
+                        row.seconds, row.megabytes);
+  }
+  return text;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,67 @@
+// Small vectors: points and directions in the plane and in space, as arrays, so that files and buffers hold them as
+// they are. Sums run from the first component to the last.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace weaveform {
+
+using Vec2 = std::array<double, 2>;
+using Vec3 = std::array<double, 3>;
+
+template <std::size_t N>
+[[nodiscard]] inline std::array<double, N> plus(std::array<double, N> a, const std::array<double, N>& b) {
+  for (std::size_t c = 0; c < N; ++c) a[c] += b[c];
+  return a;
+}
+
+template <std::size_t N>
+[[nodiscard]] inline std::array<double, N> minus(std::array<double, N> a, const std::array<double, N>& b) {
+  for (std::size_t c = 0; c < N; ++c) a[c] -= b[c];
+  return a;
+}
+
+template <std::size_t N>
+[[nodiscard]] inline std::array<double, N> scaled(std::array<double, N> a, double factor) {
+  for (double& component : a) component *= factor;
+  return a;
+}
+
+template <std::size_t N>
+[[nodiscard]] inline double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
+  double sum = a[0] * b[0];
+  for (std::size_t c = 1; c < N; ++c) sum += a[c] * b[c];
+  return sum;
+}
+
+[[nodiscard]] inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// The component out of the plane.
+[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+[[nodiscard]] inline double length(const Vec2& a) {
+  return std::hypot(a[0], a[1]);
+}
+
+[[nodiscard]] inline double length(const Vec3& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+template <std::size_t N>
+[[nodiscard]] inline double distance(const std::array<double, N>& a, const std::array<double, N>& b) {
+  return length(minus(a, b));
+}
+
+// Of length 1; a vector without length gives no numbers.
+template <std::size_t N>
+[[nodiscard]] inline std::array<double, N> unit(const std::array<double, N>& a) {
+  return scaled(a, 1.0 / length(a));
+}
+
+}  // namespace weaveform

@@ -1,0 +1,270 @@
+// Reads and checks fit files; the key table is in fit_schema.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "fabric/identify/fit_schema.hpp"
+
+namespace weaveform::identify {
+namespace {
+
+const std::vector<std::string> families = {"warp", "weft"};
+constexpr double same_yarn = 0.01;  // relative, between linear densities: as exact as sections are given
+
+const toml::table* table_at(const toml::table& parent, const std::string& name, const std::string& title,
+                            Complaints& complaints) {
+  const toml::node* node = parent.get(name);
+  if (node == nullptr) return nullptr;
+  if (!node->is_table()) complaints.add(*node, fmt::format("'{}' must be a table; begin it with [{}]", name, title));
+  return node->as_table();
+}
+
+// What the base says for Eq. 11: from it the section follows another linear density.
+void keep_densities(const toml::table& card, const std::string& family, YarnFile& yarn) {
+  const auto typed = [&](const char* key) {
+    const auto own = card["yarn"][family][key].value<double>();
+    return own ? own : card["yarn"][key].value<double>();
+  };
+  const auto fibre = typed("fibre_density"), matrix = typed("matrix_density"), share = typed("fibre_volume_fraction");
+  if (!fibre || !matrix || !share) return;
+  yarn.fibre_volume_fraction = share;
+  yarn.fibre_density = fibre;
+  yarn.matrix_density = matrix;
+}
+
+void read_base(const toml::table& root, FitSpec& spec, Complaints& complaints) {
+  if (spec.head.base.empty()) return;
+  try {
+    spec.base = load_card(spec.head.base, spec.file);
+    spec.has_base = true;
+  } catch (const InputError& error) {
+    for (const auto& line : error.complaints()) complaints.add(*root.get("base"), line);
+  }
+  if (!spec.has_base) return;
+  spec.bending = spec.base.bending;
+  // The base in the words of a card file, so that the keys of the fit file can replace any of them.
+  const toml::table card = parse_toml(card_to_toml(spec.base), "base card");
+  const toml::table typed = parse_toml(card_text_of(spec.head.base, spec.file), "base card");
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    Complaints none("base card");
+    read_keys(*card["yarn"][families[f]].as_table(), "[yarn]", yarn_keys(), spec.yarn[f], none);
+    keep_densities(typed, families[f], spec.yarn[f]);
+  }
+}
+
+// A section given by the fit file replaces the base card's Eq. 11 and the reverse; another linear density makes a
+// section of its own.
+void read_yarn_table(const toml::table& table, const std::string& title, YarnFile& yarn, Complaints& complaints) {
+  const auto has = [&](const char* name) { return table.contains(name); };
+  const bool densities = has("fibre_volume_fraction") || has("fibre_density") || has("matrix_density");
+  const double linear_density = yarn.linear_density;
+  const bool had_section = yarn.section.has_value();
+  if (densities) yarn.section.reset();
+  if (has("section")) yarn.fibre_volume_fraction = yarn.fibre_density = yarn.matrix_density = std::nullopt;
+  if (has("compression")) yarn.compression_modulus.reset();
+  if (has("compression_modulus")) yarn.compression.clear();
+  if (has("tension"))
+    yarn.linear_modulus = yarn.compression_modulus = yarn.valid_to = yarn.tearing_strain = std::nullopt;
+  read_keys(table, title, yarn_keys(), yarn, complaints, title == "[yarn]" ? families : std::vector<std::string>{});
+  if (!had_section || !has("linear_density") || has("section") || densities) return;
+  if (std::abs(yarn.linear_density / linear_density - 1.0) < same_yarn) return;
+  const bool eq11 = yarn.fibre_volume_fraction && yarn.fibre_density && yarn.matrix_density;
+  if (eq11)
+    yarn.section.reset();
+  else
+    complaints.add(*table.get("linear_density"),
+                   fmt::format("{} has another linear density ({} tex) than the base card ({} tex), whose section {} "
+                               "mm^2 goes with that; add 'section' (mm^2), or what Eq. 11 needs",
+                               title, yarn.linear_density, linear_density, *yarn.section));
+}
+
+// A card with a section of its own needs no densities, which a hand that corrects the section would have to correct
+// too.
+void drop_unused_densities(const toml::table* common, const toml::table* own, YarnFile& yarn) {
+  const auto typed = [&](const char* key) {
+    return (common != nullptr && common->contains(key)) || (own != nullptr && own->contains(key));
+  };
+  if (!yarn.section || typed("fibre_volume_fraction") || typed("fibre_density") || typed("matrix_density")) return;
+  yarn.fibre_volume_fraction = yarn.fibre_density = yarn.matrix_density = std::nullopt;
+}
+
+void read_yarns(const toml::table& root, FitSpec& spec, Complaints& complaints) {
+  const toml::table* common = table_at(root, "yarn", "yarn", complaints);
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    YarnFile& yarn = spec.yarn[f];
+    const toml::table* own = nullptr;
+    if (common != nullptr) {
+      read_yarn_table(*common, "[yarn]", yarn, complaints);
+      own = table_at(*common, families[f], "yarn." + families[f], complaints);
+      if (own != nullptr) read_yarn_table(*own, "[yarn." + families[f] + "]", yarn, complaints);
+    }
+    drop_unused_densities(common, own, yarn);
+    const toml::node& place = common != nullptr ? static_cast<const toml::node&>(*common) : root;
+    const auto lacks = [&](const char* key, const char* unit) {
+      complaints.add(place, fmt::format("the {} yarn lacks '{}' ({}) and no base card gives it; add it to [yarn] or "
+                                        "[yarn.{}], or name a 'base'",
+                                        families[f], key, unit, families[f]));
+    };
+    if (!(yarn.linear_density > 0.0)) lacks("linear_density", "tex");
+    if (!(yarn.interval > 0.0)) lacks("interval", "mm");
+    const bool eq11 = yarn.fibre_volume_fraction && yarn.fibre_density && yarn.matrix_density;
+    if (!yarn.section && !eq11) lacks("section", "mm^2, or what Eq. 11 needs");
+  }
+}
+
+std::vector<TestSpec> read_tests(const toml::table& root, const std::string& name,
+                                 const std::vector<Key<TestSpec>>& keys, Complaints& complaints) {
+  std::vector<TestSpec> tests;
+  const toml::node* node = root.get(name);
+  if (node == nullptr) return tests;
+  if (!node->is_array_of_tables()) {
+    complaints.add(*node, fmt::format("'{0}' is a list of tables; begin each with [[{0}]]", name));
+    return tests;
+  }
+  for (const auto& item : *node->as_array()) {
+    TestSpec test;
+    read_keys(*item.as_table(), "[[" + name + "]]", keys, test, complaints);
+    require_keys(*item.as_table(), "[[" + name + "]]", keys, complaints);
+    if (item.as_table()->contains("files") && test.files.empty())
+      complaints.add(*item.as_table()->get("files"), "'files' names no file; name at least one");
+    for (const auto& [key, factor] : {std::pair("displacement_factor", test.displacement_factor),
+                                      {"force_factor", test.force_factor},
+                                      {"strain_factor", test.strain_factor},
+                                      {"stress_factor", test.stress_factor},
+                                      {"angle_factor", test.angle_factor},
+                                      {"normalised_force_factor", test.normalised_force_factor}})
+      if (factor == 0.0) complaints.add(item, fmt::format("'{}' is 0; it must not be", key));
+    tests.push_back(test);
+  }
+  return tests;
+}
+
+// A test gives either the machine's displacement and force, or two derived columns; each complete.
+void check_columns(const toml::node& place, const TestSpec& test, const std::string& kind, const std::string& first,
+                   const std::string& first_key, const std::string& second, const std::string& second_key,
+                   Complaints& complaints) {
+  const bool machine = !test.displacement_column.empty() || !test.force_column.empty();
+  const bool derived = !first.empty() || !second.empty();
+  const auto both = [](const std::string& a, const std::string& b) { return !a.empty() && !b.empty(); };
+  if (machine && derived) {
+    complaints.add(place, fmt::format("[[{}]] gives both displacement or force and {} or {}; keep one pair", kind,
+                                      first_key, second_key));
+  } else if (!(both(test.displacement_column, test.force_column) || both(first, second))) {
+    const std::string other = first_key.empty() ? "" : fmt::format(", or '{}' and '{}'", first_key, second_key);
+    complaints.add(place,
+                   fmt::format("[[{}]] lacks columns; give 'displacement_column' and 'force_column'{}", kind, other));
+  }
+}
+
+void check_tensile(const toml::node& place, const TestSpec& test, Complaints& complaints) {
+  check_columns(place, test, "tensile", test.strain_column, "strain_column", test.stress_column, "stress_column",
+                complaints);
+  if (!test.displacement_column.empty() && !test.gauge_length)
+    complaints.add(place, "[[tensile]] with a displacement lacks 'gauge_length' (mm); add it");
+  if (test.elastic_range && !((*test.elastic_range)[0] < (*test.elastic_range)[1]))
+    complaints.add(place, "'elastic_range' must rise: [from, to]");
+}
+
+void check_frame(const toml::node& place, const TestSpec& test, Complaints& complaints) {
+  check_columns(place, test, "shear_frame", test.angle_column, "angle_column", test.normalised_force_column,
+                "normalised_force_column", complaints);
+  if (!test.displacement_column.empty() && !(test.frame_length && test.fabric_length))
+    complaints.add(place, "[[shear_frame]] with a displacement lacks 'frame_length' or 'fabric_length' (mm); add both");
+  if (test.frame_length && test.fabric_length && *test.fabric_length > *test.frame_length)
+    complaints.add(place, fmt::format("'fabric_length' {} mm is greater than 'frame_length' {} mm; exchange them?",
+                                      *test.fabric_length, *test.frame_length));
+}
+
+void check_bias(const toml::node& place, const TestSpec& test, Complaints& complaints) {
+  check_columns(place, test, "bias_extension", "", "", "", "", complaints);
+  if (test.width && test.length && *test.length <= *test.width)
+    complaints.add(place, fmt::format("'length' {} mm is not greater than 'width' {} mm; exchange them? No zone of the "
+                                      "specimen would be free of both grips",
+                                      *test.length, *test.width));
+}
+
+template <class Check>
+void check_each(const toml::table& root, const std::string& name, const std::vector<TestSpec>& tests, Check check,
+                Complaints& complaints) {
+  for (std::size_t i = 0; i < tests.size(); ++i) check((*root.get_as<toml::array>(name))[i], tests[i], complaints);
+}
+
+void check_names(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
+  std::set<std::string> names;
+  for (const auto* tests : {&spec.tensile, &spec.shear_frame, &spec.bias_extension}) {
+    for (const auto& test : *tests) {
+      if (!test.name.empty() && !names.insert(test.name).second)
+        complaints.add(root, fmt::format("two tests are called '{}'; give each a name of its own", test.name));
+    }
+  }
+  if (names.empty() && spec.tensile.empty() && spec.shear_frame.empty() && spec.bias_extension.empty())
+    complaints.add(root, "the file names no test; add [[tensile]], [[shear_frame]] or [[bias_extension]]");
+}
+
+bool rises(const std::array<double, 2>& range) {
+  return range[0] < range[1];
+}
+
+// Whether every law of the card has a source, measured or kept.
+void check_sources(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    const auto stands_for = [&](const TestSpec& test) { return test.yarn == families[f] || test.yarn == "both"; };
+    const auto tests = std::count_if(spec.tensile.begin(), spec.tensile.end(), stands_for);
+    if (tests > 1)
+      complaints.add(root, fmt::format("{} [[tensile]] stand for the {} yarn; put their files into one table", tests,
+                                       families[f]));
+    if (tests == 0 && spec.yarn[f].tension.empty())
+      complaints.add(root, fmt::format("nothing gives the tension law of the {0} yarn; add [[tensile]] with yarn = "
+                                       "\"{0}\", or a 'base' card",
+                                       families[f]));
+  }
+  if (spec.shear_frame.empty() && spec.bias_extension.empty() && !spec.has_base)
+    complaints.add(root, "nothing gives the shear law; add [[shear_frame]], [[bias_extension]] or a 'base' card");
+  if (spec.shear.from == "shear_frame" && spec.shear_frame.empty())
+    complaints.add(root, "[shear] takes the law 'from' the shear frame, but there is no [[shear_frame]]; add one");
+  if (spec.shear.from == "bias_extension" && spec.bias_extension.empty())
+    complaints.add(root,
+                   "[shear] takes the law 'from' the bias extension, but there is no [[bias_extension]]; add one");
+  if (!spec.head.thickness && !spec.has_base)
+    complaints.add(root, "the file lacks 'thickness' (mm) and no base card gives it; add it, or name a 'base'");
+  if ((spec.shear.angles && !rises(*spec.shear.angles)) || !rises(spec.shear.bias_angles))
+    complaints.add(root, "'angles' and 'bias_angles' of [shear] must rise: [from, to]");
+}
+
+}  // namespace
+
+FitSpec read_fit(const std::filesystem::path& file) {
+  return read_fit_text(read_text_file(file, most_written_by_hand), file.string());
+}
+
+FitSpec read_fit_text(const std::string& text, const std::string& name) {
+  Complaints complaints(name);
+  const toml::table root = parse_toml(text, name);
+  FitSpec spec;
+  spec.file = name;
+  read_keys(root, "a fit file", fit_head_keys(), spec.head, complaints,
+            {"yarn", "shear", "bending", "tensile", "shear_frame", "bias_extension"});
+  require_keys(root, "the fit file", fit_head_keys(), complaints);
+  read_base(root, spec, complaints);
+  read_yarns(root, spec, complaints);
+  if (const auto* table = table_at(root, "bending", "bending", complaints))
+    read_keys(*table, "[bending]", bending_keys(), spec.bending, complaints);
+  if (const auto* table = table_at(root, "shear", "shear", complaints))
+    read_keys(*table, "[shear]", shear_fit_keys(), spec.shear, complaints);
+  spec.tensile = read_tests(root, "tensile", tensile_keys(), complaints);
+  spec.shear_frame = read_tests(root, "shear_frame", shear_frame_keys(), complaints);
+  spec.bias_extension = read_tests(root, "bias_extension", bias_extension_keys(), complaints);
+  check_each(root, "tensile", spec.tensile, check_tensile, complaints);
+  check_each(root, "shear_frame", spec.shear_frame, check_frame, complaints);
+  check_each(root, "bias_extension", spec.bias_extension, check_bias, complaints);
+  check_names(root, spec, complaints);
+  check_sources(root, spec, complaints);
+  complaints.throw_if_any();
+  return spec;
+}
+
+}  // namespace weaveform::identify

@@ -1,0 +1,101 @@
+// What a fit file asks for, as plain data in the units of the file. Defaults are written here and nowhere else;
+// fit_schema.cpp names each key, its unit, type and range.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/keys/key_info.hpp"
+#include "fabric/card/card_schema.hpp"
+
+namespace weaveform::identify {
+
+// The fabric and the fit as a whole: keys before the first table.
+struct FitHead {
+  std::string name;                 // of the card
+  std::string source;               // where the tests come from
+  std::string base;                 // card whose parts are kept where nothing was measured; "" for none
+  std::optional<double> thickness;  // mm; none: the base card's
+  double confidence = 95.0;         // %; of every band and interval
+};
+
+// [shear]: how the shear law is made from the tests of shear.
+struct ShearFitSpec {
+  std::string from = "auto";  // which kind of test makes the card's law; auto: the frame if there is one
+  std::string form = "auto";  // "polynomial", "polynomial+start", "auto"
+  int degree = 4;             // of the stress polynomial
+  std::optional<std::array<double, 2>> angles;  // deg; range of the frame tests that is fitted; none: what all reach
+  std::array<double, 2> bias_angles = {0.0, 45.0};  // deg; the same of the bias extensions, kinematic angles
+  double angle_step = 1.0;                          // deg; of the common grid
+};
+
+// One kind of test on one kind of specimen: its files, what their columns mean, and the specimen.
+struct TestSpec {
+  std::string name;
+  std::vector<std::string> files;  // relative to the fit file; one specimen each, unless specimen_column says otherwise
+  std::string delimiter = "auto";
+  std::string decimal = "auto";
+  int skip_lines = 0;
+  std::string specimen_column;  // tells the specimens of one file apart; "" for one specimen per file
+  bool trust_units = false;     // take implausible magnitudes as they are
+
+  std::string displacement_column;
+  std::string displacement_unit = "mm";
+  double displacement_factor = 1.0;
+  std::string force_column;
+  std::string force_unit = "N";
+  double force_factor = 1.0;
+
+  // [[tensile]]
+  std::string yarn = "both";  // "warp", "weft", "both"
+  std::string strain_column;
+  std::string strain_unit = "1";
+  double strain_factor = 1.0;
+  std::string strain = "true";  // "true" or "engineering"
+  std::string stress_column;
+  std::string stress_unit = "MPa";
+  double stress_factor = 1.0;
+  std::string stress = "true";         // the law's: "true", or "nominal" (force over the unstretched section)
+  std::optional<double> gauge_length;  // mm
+  std::optional<std::array<double, 2>> elastic_range;  // 1; true strain; none: found
+
+  // [[shear_frame]]
+  std::string angle_column;
+  std::string angle_unit = "deg";
+  double angle_factor = 1.0;
+  std::string normalised_force_column;
+  std::string normalised_force_unit = "N/mm";
+  double normalised_force_factor = 1.0;
+  std::optional<double> frame_length;   // mm; L_F
+  std::optional<double> fabric_length;  // mm; L_f
+
+  // [[bias_extension]]
+  std::optional<double> width;   // mm
+  std::optional<double> length;  // mm
+};
+
+struct FitSpec {
+  std::string file;  // where it was read from
+  FitHead head;
+  Card base;  // the base card, or one without laws
+  bool has_base = false;
+  std::array<YarnFile, 2> yarn;  // base completed by the file's [yarn], [yarn.warp], [yarn.weft]
+  BendingCard bending;           // base completed by the file's [bending]; no test here measures it
+  ShearFitSpec shear;
+  std::vector<TestSpec> tensile, shear_frame, bias_extension;
+  [[nodiscard]] double confidence() const { return head.confidence / 100.0; }
+  [[nodiscard]] double thickness() const { return head.thickness.value_or(base.thickness); }  // mm
+};
+
+// Reads and checks a fit file. Throws InputError with every complaint ("file:line:column: ...") or FileError.
+[[nodiscard]] FitSpec read_fit(const std::filesystem::path& file);
+// The same from text in memory; `name` stands for the file in messages, and relative paths are beside it.
+[[nodiscard]] FitSpec read_fit_text(const std::string& text, const std::string& name);
+
+// Tables of every key of a fit file (Markdown), from the key table; docs/fit.md holds them.
+[[nodiscard]] std::string fit_reference_markdown();
+
+}  // namespace weaveform::identify

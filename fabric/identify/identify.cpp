@@ -1,0 +1,197 @@
+#include "fabric/identify/identify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "fabric/identify/carried_parts.hpp"
+#include "fabric/identify/decrimping.hpp"
+#include "fabric/identify/shear_tests.hpp"
+
+namespace weaveform::identify {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;  // rad
+constexpr double percent = 0.01;
+constexpr std::array families = {"warp", "weft"};
+constexpr double greatest_strain = 0.5;   // 1; that a card may claim
+constexpr double suspicious_ratio = 3.0;  // between a fitted modulus and the base card's
+
+// A number of a card with seven significant digits: far finer than any test, and legible.
+double legible(double value) {
+  return std::stod(fmt::format("{:.7g}", value));
+}
+
+// Eq. 11 in the card's own words: let the card reader work it out from a card that is complete but for its laws.
+double section_of(const YarnFile& yarn) {
+  if (yarn.section) return *yarn.section;
+  constexpr double tex = 1e-12, g_per_cm3 = 1e-9;  // tonne/mm, tonne/mm^3
+  return section_from_densities(yarn.linear_density * tex, *yarn.fibre_volume_fraction, *yarn.fibre_density * g_per_cm3,
+                                *yarn.matrix_density * g_per_cm3);
+}
+
+void fit_yarns(Identification& found) {
+  const FitSpec& spec = found.spec;
+  for (const auto& test : spec.tensile) {
+    const std::size_t family = test.yarn == "weft" ? 1 : 0;
+    const double section = section_of(spec.yarn[family]);
+    if (test.yarn == "both" && section != section_of(spec.yarn[1]))
+      throw InputError(
+          fmt::format("{}: the test '{}' stands for both yarns, but their sections differ; give each its own "
+                      "[[tensile]]",
+                      spec.file, test.name));
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      if (test.yarn == families[f] || test.yarn == "both") found.yarn[f] = found.yarns.size();
+    }
+    found.yarns.push_back(fit_yarn(test, spec.file, section, spec.confidence()));
+    const auto& warnings = found.yarns.back().warnings;
+    found.warnings.insert(found.warnings.end(), warnings.begin(), warnings.end());
+  }
+}
+
+// Tension law of a yarn that was measured; the modulus of compression follows the base card's share of the linear one,
+// while a compression law stays as it is.
+YarnFile fitted_yarn(const YarnFile& before, const YarnFit& fit) {
+  YarnFile yarn = before;
+  const double modulus = legible(fit.modulus);
+  yarn.tension = decrimping_law(modulus, before.crimp * percent);
+  for (auto& piece : yarn.tension) {
+    for (auto& coefficient : piece.coefficient) coefficient = legible(coefficient);
+  }
+  const bool had_share = before.compression_modulus && before.linear_modulus;
+  yarn.compression_modulus =
+      had_share ? std::optional(legible(*before.compression_modulus / *before.linear_modulus * modulus)) : std::nullopt;
+  yarn.linear_modulus = modulus;
+  // the stress that the tests reached; beyond, nothing was measured
+  yarn.valid_to = legible(std::min(greatest_strain, strain_at_stress(TangentLaw(yarn.tension), fit.greatest_stress())));
+  if (yarn.tearing_strain && *yarn.tearing_strain < *yarn.valid_to) yarn.tearing_strain = std::nullopt;
+  return yarn;
+}
+
+ShearFile fitted_shear(const ShearFit& fit) {
+  const ShearCurve& curve = fit.chosen().pooled.curve;
+  ShearFile shear;
+  shear.valid_to = std::floor(fit.greatest_angle() / degree * 1e3 + 1e-6) / 1e3;
+  Polynomial tangent = derivative_of(curve.stress);
+  for (auto& coefficient : tangent) coefficient = legible(coefficient);
+  shear.tangent = {{0.0, legible(log_shear_strain(fit.greatest_angle())), tangent}};
+  if (curve.start.plateau > 0.0) shear.start = {legible(curve.start.plateau), legible(curve.start.rise)};
+  return shear;
+}
+
+YarnFile yarn_file(const Identification& found, std::size_t f) {
+  const auto& measured = found.yarn[f];
+  const YarnFile& before = found.spec.yarn[f];
+  return measured ? fitted_yarn(before, found.yarns[*measured]) : before;
+}
+
+std::string shear_text(const Identification& found) {
+  const ShearCard& kept = found.spec.base.shear;
+  const ShearFit* fit = found.shear();
+  const ShearFile shear =
+      fit != nullptr ? fitted_shear(*fit) : ShearFile{kept.tangent.pieces(), kept.start, kept.valid_to_deg};
+  return "\n[shear]\n" + write_keys(shear_keys(), shear);
+}
+
+void make_card(Identification& found, const std::string& replaced, const std::string& file) {
+  const FitHead& head = found.spec.head;
+  std::string source = head.source;
+  if (found.spec.has_base)
+    source += fmt::format("{}parts not measured are those of {}", source.empty() ? "" : "; ", head.base);
+  CardParts parts{{yarn_file(found, 0), yarn_file(found, 1)}, found.spec.bending};
+  if (!replaced.empty()) {
+    const auto said = carry_typed_parts(replaced, file, parts);
+    found.warnings.insert(found.warnings.end(), said.begin(), said.end());
+    found.replaces_other = !said.empty();
+  }
+  found.card_text = "# Made by weaveform fit. Units: mm, MPa, tex; angles in degrees.\n" +
+                    write_keys(head_keys(), HeadFile{head.name, source, found.spec.thickness()});
+  for (std::size_t f = 0; f < families.size(); ++f)
+    found.card_text += fmt::format("\n[yarn.{}]\n{}", families[f], write_keys(yarn_keys(), parts.yarn[f], Echo::given));
+  found.card_text += shear_text(found);
+  if (parts.bending != BendingCard{})
+    found.card_text += "\n[bending]\n" + write_keys(bending_keys(), parts.bending, Echo::given);
+  // The card's own reader has the last word: ranges, Eq. 11, tangents that turn negative.
+  found.card = read_card_text(found.card_text, "card.toml");
+}
+
+void say_assumptions(Identification& found) {
+  const auto say = [&](std::string sentence) { found.assumptions.push_back(std::move(sentence)); };
+  const FitSpec& spec = found.spec;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    if (!found.yarn[f]) {
+      say(fmt::format("no tensile test stands for the {} yarn: its tension law is {}", families[f],
+                      spec.has_base ? "that of the base card " + spec.head.base : "that of the fit file"));
+      continue;
+    }
+    const double crimp = spec.yarn[f].crimp;
+    say(crimp > 0.0
+            ? fmt::format("decrimping of the {} yarn is not measured: a e^4 from the crimp ratio {} %, joining the "
+                          "line of the straight yarn in value and slope at 4/3 ln(1 + crimp) (Table 2 of the "
+                          "paper)",
+                          families[f], crimp)
+            : fmt::format("the {} yarn has no crimp: its law is the linear modulus from zero strain on", families[f]));
+    if (!spec.yarn[f].compression_modulus && spec.yarn[f].compression.empty())
+      say(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", families[f]));
+  }
+  if (found.card.bending != BendingCard{})
+    say("no test of bending: [bending] is that of the fit file, of the base card or of the card that was replaced");
+  if (found.shear() == nullptr) say("no test of shear: the shear law is that of the base card " + spec.head.base);
+  if (found.shear() != nullptr)
+    say(fmt::format("the shear law is fitted to {:.1f} deg; beyond, its tangent keeps its value there",
+                    found.shear()->greatest_angle() / degree));
+  if (found.frame) say("shear frame: the angle is uniform and equal to the frame's (Eq. 12)");
+  if (found.bias)
+    say("bias extension: yarns are inextensible, pinned at their crossings and straight within the three zones; loads "
+        "of "
+        "slip and of decrimping are taken for shear");
+}
+
+void compare_with_base(Identification& found) {
+  if (!found.spec.has_base) return;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    if (!found.yarn[f]) continue;
+    const double before = found.spec.base.yarn[f].linear_modulus;
+    const double ratio = found.card.yarn[f].linear_modulus / before;
+    if (ratio > suspicious_ratio || ratio < 1.0 / suspicious_ratio)
+      found.warnings.push_back(
+          fmt::format("the {} yarn's modulus is {:.3g} times the base card's {:.0f} MPa; check units "
+                      "and section",
+                      families[f], ratio, before));
+  }
+}
+
+}  // namespace
+
+bool Identification::shear_from_frame() const {
+  return frame.has_value() && spec.shear.from != "bias_extension";
+}
+
+const ShearFit* Identification::shear() const {
+  if (shear_from_frame()) return &*frame;
+  return bias ? &*bias : nullptr;
+}
+
+Identification identify(const FitSpec& spec, const std::string& replaced, const std::string& file) {
+  Identification found;
+  found.spec = spec;
+  fit_yarns(found);
+  const auto warn = [&](const char* kind, const std::optional<ShearFit>& fit) {
+    if (!fit) return;
+    for (const auto& warning : fit->warnings) found.warnings.push_back(fmt::format("{}: {}", kind, warning));
+  };
+  if (!spec.shear_frame.empty()) found.frame = fit_shear_frames(spec);
+  if (!spec.bias_extension.empty()) found.bias = fit_bias_extensions(spec);
+  warn("shear frame", found.frame);
+  warn("bias extension", found.bias);
+  make_card(found, replaced, file);
+  compare_with_base(found);
+  say_assumptions(found);
+  return found;
+}
+
+}  // namespace weaveform::identify

@@ -1,0 +1,52 @@
+// The whole identification: raw tests in, material card and everything said about it out. Nothing is written here.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/chart/chart.hpp"
+#include "fabric/identify/fit_spec.hpp"
+#include "fabric/identify/shear_fit.hpp"
+#include "fabric/identify/tension_fit.hpp"
+
+namespace weaveform::identify {
+
+struct Identification {
+  FitSpec spec;
+  std::vector<YarnFit> yarns;  // one for each [[tensile]]
+  std::array<std::optional<std::size_t>, 2>
+      yarn;  // which of them is the warp's and the weft's; none: kept from the base
+  std::optional<ShearFit> frame, bias;
+  Card card;
+  std::string card_text;                 // the card as a file, checked by reading it back
+  std::vector<std::string> assumptions;  // what was not measured, in sentences
+  std::vector<std::string> warnings;
+  bool replaces_other = false;  // the card that is replaced holds what this fit does not give: it is worth keeping
+  // The shear fit that made the card's law; null when the base card's was kept.
+  [[nodiscard]] const ShearFit* shear() const;
+  [[nodiscard]] bool shear_from_frame() const;
+};
+
+// `replaced` is the text of the card `file` that the new one will overwrite, whose parts that nothing here measures are
+// carried over (carried_parts.hpp); "" for none. Throws InputError: whatever is wrong in the fit file or in a test
+// file, all test files at once; FileError.
+[[nodiscard]] Identification identify(const FitSpec& spec, const std::string& replaced = "",
+                                      const std::string& file = "card.toml");
+
+// A file of the answer, to be written under its name: a text or a chart.
+struct OutputFile {
+  std::string name;
+  std::string text = {};
+  std::optional<Chart> chart = {};
+};
+
+// card.toml, report.md, report.json, and for each kind of test a table (.csv) and a chart (.svg) of data, fit and band.
+[[nodiscard]] std::vector<OutputFile> output_files(const Identification& found);
+
+// The report's first section: the parameters with their intervals, as Markdown.
+[[nodiscard]] std::string summary_markdown(const Identification& found);
+
+}  // namespace weaveform::identify

@@ -1,0 +1,74 @@
+#include "fabric/identify/unit.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+namespace weaveform::identify {
+namespace {
+
+constexpr double gram_force = 9.80665e-3;        // N; standard gravity, CGPM 1901
+constexpr double pound_force = 4.4482216152605;  // N
+
+}  // namespace
+
+const std::vector<Unit>& units_of(Quantity quantity) {
+  static const std::map<Quantity, std::vector<Unit>> units = {
+      {Quantity::length, {{"mm", 1.0}, {"cm", 10.0}, {"m", 1e3}, {"um", 1e-3}, {"in", 25.4}}},
+      {Quantity::force,
+       {{"N", 1.0},
+        {"kN", 1e3},
+        {"cN", 1e-2},
+        {"mN", 1e-3},
+        {"gf", gram_force},
+        {"kgf", 1e3 * gram_force},
+        {"lbf", pound_force}}},
+      {Quantity::angle, {{"deg", std::numbers::pi / 180.0}, {"rad", 1.0}}},
+      {Quantity::strain, {{"1", 1.0}, {"%", 0.01}, {"mm/mm", 1.0}, {"um/m", 1e-6}}},
+      {Quantity::stress, {{"MPa", 1.0}, {"GPa", 1e3}, {"kPa", 1e-3}, {"Pa", 1e-6}}},
+      {Quantity::force_per_length, {{"N/mm", 1.0}, {"N/m", 1e-3}, {"kN/m", 1.0}, {"N/cm", 0.1}}},
+  };
+  return units.at(quantity);
+}
+
+std::vector<std::string> unit_names(Quantity quantity) {
+  std::vector<std::string> names;
+  for (const auto& unit : units_of(quantity)) names.push_back(unit.name);
+  return names;
+}
+
+double unit_factor(Quantity quantity, const std::string& name) {
+  for (const auto& unit : units_of(quantity)) {
+    if (unit.name == name) return unit.factor;
+  }
+  throw std::invalid_argument("no unit " + name);
+}
+
+std::optional<std::string> unit_in(const std::string& heading, Quantity quantity) {
+  std::optional<std::string> found;
+  for (const auto& unit : units_of(quantity)) {
+    if (unit.name == "1") continue;  // a heading that ends in 1 counts something
+    std::string spelled = unit.name;
+    if (const auto slash = spelled.find('/'); slash != std::string::npos) spelled.replace(slash, 1, "_per_");
+    const bool named = heading == unit.name || heading == "(" + unit.name + ")" ||
+                       heading.find("(" + unit.name + ")") != std::string::npos ||
+                       heading.find("[" + unit.name + "]") != std::string::npos || heading.ends_with("_" + spelled) ||
+                       heading.ends_with(" " + unit.name);
+    if (named && (!found || unit.name.size() > found->size())) found = unit.name;
+  }
+  return found;
+}
+
+std::string fitting_units(Quantity quantity, const std::string& declared,
+                          const std::function<bool(double ratio)>& plausible) {
+  std::string text;
+  const double now = unit_factor(quantity, declared);
+  for (const auto& unit : units_of(quantity)) {
+    if (unit.factor == now || !plausible(unit.factor / now)) continue;
+    text += (text.empty() ? "" : " or ") + unit.name;
+  }
+  return text.empty() ? "" : " (" + text + " would fit)";
+}
+
+}  // namespace weaveform::identify

@@ -1,0 +1,79 @@
+#include "solver/analysis/loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesher/outline/blank_outline.hpp"
+#include "solver/bending/flexure.hpp"
+#include "solver/constraint/grips.hpp"
+#include "solver/contact/tool_motion.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr double sampled_to = 0.8813735870195430;  // gamma_L at 45 deg; few parts shear more
+constexpr int samples = 200;
+
+double least_shear_tangent(const ShearCard& card) {
+  double least = shear_tangent(card, 0.0);
+  for (int n = 1; n <= samples; ++n) least = std::min(least, shear_tangent(card, sampled_to * n / samples));
+  return std::max(least, 1e-3 * shear_tangent(card, 0.0));
+}
+
+bool only_weight_acts(const Scene& scene) {
+  const auto moves = [](const auto& part) { return part.travel != 0.0; };
+  return scene.analysis.gravity != std::array<double, 3>{0.0, 0.0, 0.0} && scene.tools.empty() && !scene.frame &&
+         std::none_of(scene.grip.begin(), scene.grip.end(), moves);
+}
+
+// 1/s; see loading.hpp.
+double slowest_sway(const Scene& scene, const Card& card, double length) {
+  const Flexure flexure = choose_flexure(card, scene.model);
+  double rigidity = std::numeric_limits<double>::infinity();  // N mm
+  for (std::size_t f = 0; f < 2; ++f)
+    rigidity = std::min(
+        rigidity, (flexure.has_shell ? flexure.shell : flexure.out_of_plane)[f].tangent(0.0) / card.yarn[f].interval);
+  const auto& g = scene.analysis.gravity;
+  return std::sqrt(std::max(12.36 * rigidity / (card.area_density() * std::pow(length, 4)),
+                            1.446 * std::hypot(g[0], g[1], g[2]) / length));
+}
+
+}  // namespace
+
+double automatic_duration(const Scene& scene, const Card& card) {
+  Scene free = scene;
+  free.analysis.duration.reset();
+  free.analysis.loading_speed.reset();
+  return choose_loading(free, card).duration;
+}
+
+Loading choose_loading(const Scene& scene, const Card& card) {
+  const auto extent = blank_extent(scene);
+  const double length = std::max(extent[0], extent[1]);
+  const double shear_stiffness = least_shear_tangent(card.shear) * card.thickness;  // N/mm
+  Loading loading;
+  loading.crossing_time = length * std::sqrt(card.area_density() / shear_stiffness);
+  double travel = 0.0;
+  for (const auto& grip : scene.grip) travel = std::max(travel, std::abs(grip.travel));
+  if (scene.frame) travel = std::abs(scene.frame->travel);
+  // A longer way takes longer: inertia forces go with travel / duration^2. Up to an eighth of the blank it costs
+  // nothing.
+  const double way = std::max(1.0, travel / (length / 8.0));
+  loading.duration = default_crossings * loading.crossing_time * std::sqrt(way);
+  double tool_way = 0.0;  // mm; travelled in the duration at the greatest speed
+  for (const auto& tool : scene.tools)
+    tool_way = std::max(tool_way, std::abs(tool.travel) * greatest_slope(tool.speed));
+  if (tool_way > 0.0 && travel == 0.0) loading.duration = tool_way / default_tool_speed;
+  const double sway = only_weight_acts(scene) ? slowest_sway(scene, card, length) : 0.0;
+  if (sway > 0.0) loading.duration = default_settling / sway;
+  if (scene.analysis.duration) loading.duration = *scene.analysis.duration;
+  const double way_at_speed = std::max(smooth_step_greatest_slope * travel, tool_way);
+  if (scene.analysis.loading_speed && way_at_speed > 0.0)
+    loading.duration = way_at_speed / *scene.analysis.loading_speed;
+  const double chosen = sway > 0.0 ? 2.0 * sway : default_decays / loading.duration;
+  loading.damping = scene.analysis.damping.value_or(chosen);
+  return loading;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,42 @@
+// How fast to load and how much to damp, when the scene leaves it to us.
+//
+// The loads of a fabric specimen are a few newtons, so inertia and damping forces of an explicit run show in them long
+// before they show in the energies. Both scale with how often the fabric's slowest wave, in-plane shear at the least
+// tangent of the card, crosses the blank during the run:
+//   tau = L / sqrt(C_min t / (area density)),  duration = crossings * tau * sqrt(max(1, 8 travel/L)),  damping = decays
+//   / duration.
+// The two constants were chosen from measured load errors (docs/theory.md, "Loading speed and damping").
+//
+// Where only its own weight moves the fabric, it is to come to rest: with omega the slowest sway of the blank's length
+// as a cantilever, stiff (beam, 1.875^4 = 12.36) or limp (hanging chain, (2.405/2)^2 = 1.446),
+//   omega^2 = max(12.36 D/(area density L^4), 1.446 g/L) ,  damping = 2 omega (critical) ,  duration = settling / omega
+//   ,
+// which leaves (1 + 12) exp(-12) = 1e-4 of the way.
+#pragma once
+
+#include "fabric/card/card.hpp"
+#include "mesher/scene/scene.hpp"
+
+namespace weaveform {
+
+inline constexpr double default_crossings = 16.0;
+inline constexpr double default_decays = 2.0;
+inline constexpr double default_settling = 12.0;
+inline constexpr double default_tool_speed = 1000.0;  // mm/s; greatest, of forming tools
+
+struct Loading {
+  double crossing_time = 0.0;  // s; tau
+  double duration = 0.0;       // s
+  double damping = 0.0;        // 1/s; mass-proportional
+};
+
+// A duration below this share of the automatic one is the first to blame when an analysis breaks down: inertia forces
+// go with the square of the speed, 25 times those of the automatic one.
+inline constexpr double hasty_share = 0.2;
+
+// s; the duration of choose_loading when the scene names neither duration nor speed.
+[[nodiscard]] double automatic_duration(const Scene& scene, const Card& card);
+
+[[nodiscard]] Loading choose_loading(const Scene& scene, const Card& card);
+
+}  // namespace weaveform

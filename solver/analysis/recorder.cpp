@@ -1,0 +1,110 @@
+#include "solver/analysis/recorder.hpp"
+
+#include <array>
+#include <numbers>
+
+namespace weaveform {
+namespace {
+
+constexpr std::array tool_columns = {".displacement_mm", ".force_N",   ".contact_area_mm2",
+                                     ".force_x_N",       ".force_y_N", ".force_z_N"};
+constexpr int tool_width = static_cast<int>(tool_columns.size());
+constexpr int tool_means = tool_width - 1;  // all but the displacement, in the columns' order
+
+std::array<double, tool_means> means_of(const ToolReading& tool) {
+  return {tool.force, tool.area, tool.whole_force[0], tool.whole_force[1], tool.whole_force[2]};
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, double duration, int rows)
+    : grip_count_(static_cast<int>(grips.size())), probes_(std::move(probes)), duration_(duration), rows_(rows) {
+  history_.column = {"time_s"};
+  for (const auto& grip : grips) {
+    history_.column.push_back(grip.name + ".displacement_mm");
+    history_.column.push_back(grip.name + ".force_N");
+  }
+  for (const auto& probe : probes_)
+    for (const char* what : {".shear_angle_deg", ".shear_angle_sd_deg", ".shear_angle_min_deg", ".shear_angle_max_deg"})
+      history_.column.push_back(probe.name + what);
+  for (const char* what : {"kinetic_energy_mJ", "internal_energy_mJ", "external_work_mJ", "damping_work_mJ",
+                           "bending_energy_mJ", "hourglass_energy_mJ", "energy_error"})
+    history_.column.emplace_back(what);
+  window_.impulse.assign(grip_count_, 0.0);
+}
+
+void Recorder::evaluate_frame(const ShearFrame& frame, int pulled) {
+  frame_ = frame;
+  pulled_ = pulled;
+  frame_column_ = static_cast<int>(history_.column.size());
+  history_.column.insert(history_.column.end(), {"frame.shear_angle_deg", "frame.normalised_shear_force_N_per_mm"});
+}
+
+void Recorder::record_tools(const std::vector<ToolSpec>& tools) {
+  tool_count_ = static_cast<int>(tools.size());
+  tool_column_ = static_cast<int>(history_.column.size());
+  for (const auto& tool : tools)
+    for (const char* what : tool_columns) history_.column.push_back(tool.name + what);
+  window_.impulse.assign(grip_count_ + tool_means * tool_count_, 0.0);
+}
+
+void Recorder::add_forces(double time, double kick, const std::vector<double>& force,
+                          const std::vector<ToolReading>& tools) {
+  const bool row_exists = window_.row < static_cast<int>(history_.row.size());
+  if (row_exists && time > history_.row[window_.row].front() + 0.5 * duration_ / rows_) close_window();
+  window_.elapsed += kick;
+  for (int g = 0; g < grip_count_; ++g) window_.impulse[g] += kick * force[g];
+  for (int t = 0; t < tool_count_; ++t) {
+    const auto means = means_of(tools[t]);
+    for (int k = 0; k < tool_means; ++k) window_.impulse[grip_count_ + tool_means * t + k] += kick * means[k];
+  }
+}
+
+void Recorder::close_window() {
+  if (window_.elapsed > 0.0 && window_.row < static_cast<int>(history_.row.size())) {
+    auto& row = history_.row[window_.row];
+    for (int g = 0; g < grip_count_; ++g) row[2 + 2 * g] = window_.impulse[g] / window_.elapsed;
+    for (int t = 0; t < tool_count_; ++t)
+      for (int k = 0; k < tool_means; ++k)
+        row[tool_column_ + tool_width * t + 1 + k] =
+            window_.impulse[grip_count_ + tool_means * t + k] / window_.elapsed;
+    if (frame_) {
+      const double angle = frame_shear_angle(*frame_, row[1 + 2 * pulled_]);
+      row[frame_column_] = angle * 180.0 / std::numbers::pi;
+      row[frame_column_ + 1] = normalised_shear_force(*frame_, row[2 + 2 * pulled_], angle);
+    }
+  }
+  window_.elapsed = 0.0;
+  window_.impulse.assign(grip_count_ + tool_means * tool_count_, 0.0);
+  ++window_.row;
+}
+
+void Recorder::add_row(double time, const std::vector<double>& displacement, const Fields& fields,
+                       const EnergyBalance& balance, const std::vector<ToolReading>& tools) {
+  if (window_.row < static_cast<int>(history_.row.size())) close_window();  // steps longer than half a row
+  std::vector<double> row = {time};
+  for (int g = 0; g < grip_count_; ++g) {
+    row.push_back(displacement[g]);
+    row.push_back(0.0);
+  }
+  for (const auto& probe : probes_) {
+    const auto shear = shear_statistics(probe, fields);
+    row.insert(row.end(), {shear.mean, shear.deviation, shear.least, shear.greatest});
+  }
+  row.insert(row.end(), {balance.kinetic, balance.internal, balance.external, balance.damping, balance.bending,
+                         balance.hourglass, balance.error()});
+  row.resize(history_.column.size(), 0.0);
+  for (int t = 0; t < tool_count_; ++t) row[tool_column_ + tool_width * t] = tools[t].displacement;
+  history_.row.push_back(std::move(row));
+}
+
+void Recorder::finish() {
+  close_window();
+}
+
+void Recorder::restore(std::vector<std::vector<double>> rows, Window window) {
+  history_.row = std::move(rows);
+  window_ = std::move(window);
+}
+
+}  // namespace weaveform

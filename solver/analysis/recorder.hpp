@@ -1,0 +1,67 @@
+// Fills the history while the analysis runs. Grip forces of an explicit run carry the yarns' vibrations, so a row's
+// force is the mean over the time from half a row before to half a row after it (the impulse over the time), not an
+// instant's value.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fabric/trellis/shear_frame.hpp"
+#include "solver/analysis/balance.hpp"
+#include "solver/constraint/grips.hpp"
+#include "solver/result/probe.hpp"
+#include "solver/result/result.hpp"
+#include "solver/state/tool_reading.hpp"
+
+namespace weaveform {
+
+class Recorder {
+public:
+  Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, double duration, int rows);
+
+  // With a shear frame, each row also says the frame's angle (Eq. 12) and the normalised shear force (Eq. 13) that the
+  // test's evaluation gives from the travel and load of grip number `pulled`.
+  void evaluate_frame(const ShearFrame& frame, int pulled);
+
+  // With tools, each row also has their displacement, and as means like the grips' forces: the force of the tool on the
+  // fabric along its motion (of a tool at rest along its axis), contact area, and the force's components x, y, z.
+  void record_tools(const std::vector<ToolSpec>& tools);
+
+  // Adds the grips' forces (N, along their directions) and the tools' readings over `kick` seconds around `time`.
+  void add_forces(double time, double kick, const std::vector<double>& force,
+                  const std::vector<ToolReading>& tools = {});
+  // Appends the row of `time`; its forces are filled in when their window closes.
+  void add_row(double time, const std::vector<double>& displacement, const Fields& fields, const EnergyBalance& balance,
+               const std::vector<ToolReading>& tools = {});
+  // Closes the last window.
+  void finish();
+
+  [[nodiscard]] const History& history() const { return history_; }
+  // Rows from the first that nothing will change any more.
+  [[nodiscard]] int closed_rows() const { return window_.row; }
+  [[nodiscard]] std::size_t impulses() const { return window_.impulse.size(); }
+
+  // What a checkpoint must keep.
+  struct Window {
+    double elapsed = 0.0;         // s
+    std::vector<double> impulse;  // N s; of the grips, then of each tool: force, area (mm^2 s), x, y, z
+    int row = 0;                  // the row this window belongs to
+  };
+  [[nodiscard]] const Window& window() const { return window_; }
+  void restore(std::vector<std::vector<double>> rows, Window window);
+
+private:
+  void close_window();
+  int grip_count_;
+  int tool_count_ = 0, tool_column_ = 0;
+  std::vector<Probe> probes_;
+  double duration_;
+  int rows_;
+  std::optional<ShearFrame> frame_;
+  int pulled_ = 0;
+  int frame_column_ = 0;
+  History history_;
+  Window window_;
+};
+
+}  // namespace weaveform

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/contact/contact.hpp"
+
+namespace weaveform {
+namespace {
+
+// At Coulomb's limit, but for the rounding of the cut.
+constexpr double limit_tolerance = 1e-9;
+
+struct NodeContact {
+  double normal = 0.0;  // N
+  FrictionState friction = FrictionState::none;
+};
+
+// The contact law once more at one node, whose anchor has followed already: the same normal force, and a node that
+// slides is cut to the limit again.
+NodeContact node_contact(const ContactLaw& law, const ContactTool& tool, const Distances& found, ContactNodes node) {
+  double force[3] = {0.0, 0.0, 0.0}, anchor[3];
+  for (int c = 0; c < 3; ++c) {
+    anchor[c] = *node.anchor[c];
+    node.force[c] = &force[c];
+    node.anchor[c] = &anchor[c];
+  }
+  (void)contact_forces(law, tool, found, 0.0, node);
+  double normal = 0.0, tangential_square = 0.0;
+  for (int c = 0; c < 3; ++c) normal += force[c] * found.normal[c][0];
+  if (normal <= 0.0) return {};
+  for (int c = 0; c < 3; ++c) tangential_square += std::pow(force[c] - normal * found.normal[c][0], 2);
+  const bool slips = std::sqrt(tangential_square) >= law.friction * normal * (1.0 - limit_tolerance);
+  return {normal, slips ? FrictionState::slip : FrictionState::stick};
+}
+
+}  // namespace
+
+ContactState Contact::contact_state(const State& state) const {
+  ContactState all;
+  for (const int n : packed_.packed_of_mesh) {
+    int most = 0, count = 0;
+    NodeContact greatest;
+    double gap = std::numeric_limits<double>::max();
+    for (std::size_t t = 0; t < partners_.size(); ++t) {
+      const Partner& partner = partners_[t];
+      ContactNodes node{};
+      node.count = 1;
+      node.mass = &mass_[n];
+      node.area = &area_[n];
+      double anchor[3];
+      for (int c = 0; c < 3; ++c) {
+        node.x[c] = &state.position[c][n];
+        node.v[c] = &state.velocity[c][n];
+        anchor[c] = partner.anchor[c][n];
+        node.anchor[c] = &anchor[c];
+      }
+      int hint = partner.hint.empty() ? 0 : partner.hint[n];
+      Distances found;
+      tool_distances(partner.tool, partner.place(), {node.x[0], node.x[1], node.x[2]}, 1, &hint, found);
+      const double here = found.distance[0] - partner.tool.offset;
+      gap = std::min(gap, here);
+      if (here >= 0.0 || mass_[n] <= 0.0) continue;
+      const NodeContact contact = node_contact(partner.law, partner.contact_tool(), found, node);
+      if (contact.normal <= 0.0) continue;
+      ++count;
+      if (contact.normal <= greatest.normal) continue;
+      greatest = contact;
+      most = 1 + static_cast<int>(t);
+    }
+    all.tool.push_back(most);
+    all.count.push_back(count);
+    all.force.push_back(greatest.normal);
+    all.pressure.push_back(area_[n] > 0.0 ? greatest.normal / area_[n] : 0.0);
+    all.gap.push_back(gap);
+    all.friction.push_back(greatest.friction);
+  }
+  return all;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,42 @@
+#include "solver/state/state.hpp"
+
+#include <algorithm>
+
+namespace weaveform {
+
+namespace {
+
+// A node that does not exist stands with the node before it in the row, so that no block of nodes is wider than its
+// fabric (contact judges blocks as a whole).
+void place_absent(const PackedMesh& packed, State& state) {
+  std::vector<char> exists(packed.nodes, 0);
+  for (const int n : packed.packed_of_mesh) exists[n] = 1;
+  const int first = *std::min_element(packed.packed_of_mesh.begin(), packed.packed_of_mesh.end());
+  for (int n = 0, before = first; n < packed.nodes; ++n) {
+    if (exists[n] != 0) before = n;
+    for (auto& component : state.position) component[n] = component[before];
+  }
+}
+
+}  // namespace
+
+State initial_state(const PackedMesh& packed, const Mesh& mesh) {
+  State state;
+  for (int c = 0; c < 3; ++c) {
+    state.position[c].assign(packed.nodes, 0.0);
+    state.velocity[c].assign(packed.nodes, 0.0);
+    state.force[c].assign(packed.nodes, 0.0);
+    for (int n = 0; n < mesh.node_count(); ++n) state.position[c][packed.packed_of_mesh[n]] = mesh.nodes.position[n][c];
+  }
+  place_absent(packed, state);
+  return state;
+}
+
+std::vector<std::array<double, 3>> mesh_positions(const PackedMesh& packed, const State& state) {
+  std::vector<std::array<double, 3>> result(packed.packed_of_mesh.size());
+  for (std::size_t n = 0; n < result.size(); ++n)
+    for (int c = 0; c < 3; ++c) result[n][c] = state.position[c][packed.packed_of_mesh[n]];
+  return result;
+}
+
+}  // namespace weaveform

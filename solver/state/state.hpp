@@ -1,0 +1,41 @@
+// The moving state in the order of PackedMesh: one contiguous, cache-line aligned array per component.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <new>
+#include <vector>
+
+#include "mesher/mesh/mesh.hpp"
+#include "solver/state/packed.hpp"
+
+namespace weaveform {
+
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+  CacheLineAllocator() = default;
+  template <class U>
+  explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  void deallocate(T* p, std::size_t /*n*/) { ::operator delete(p, alignment); }
+  bool operator==(const CacheLineAllocator& /*other*/) const { return true; }
+};
+
+using Doubles = std::vector<double, CacheLineAllocator<double>>;
+using Components = std::array<Doubles, 3>;
+
+struct State {
+  Components position;  // mm
+  Components velocity;  // mm/s; half a step behind position (leapfrog)
+  Components force;     // N; internal force on each node at `position`
+  double time = 0.0;    // s
+  long step = 0;
+};
+
+// Nodes absent from the mesh stand where the node before them in the lattice starts, and never move.
+[[nodiscard]] State initial_state(const PackedMesh& packed, const Mesh& mesh);
+[[nodiscard]] std::vector<std::array<double, 3>> mesh_positions(const PackedMesh& packed, const State& state);
+
+}  // namespace weaveform

@@ -1,0 +1,9 @@
+set(UNIT_FABRIC_SOURCES
+  unit/fabric/card/card_test.cpp
+  unit/fabric/identify/identify_fit_file_test.cpp
+  unit/fabric/identify/identify_raw_table_test.cpp
+  unit/fabric/identify/identify_shear_test.cpp
+  unit/fabric/identify/identify_tension_test.cpp
+  unit/fabric/law/law_test.cpp
+  unit/fabric/law/polynomial_test.cpp
+)
