@@ -99,7 +99,9 @@ TEST(IncludeDirection, HasNoCircleAmongTheFoldersOfTheSolver) {
 TEST(UnitTests, LieInFoldersThatTheCodeHas) {
   const fs::path root = WEAVEFORM_SOURCE_DIR, unit = root / "tests" / "unit";
   for (const auto& entry : fs::recursive_directory_iterator(unit))
-    if (entry.is_directory()) EXPECT_TRUE(fs::is_directory(root / fs::relative(entry.path(), unit))) << entry.path();
+    if (entry.is_directory()) {
+      EXPECT_TRUE(fs::is_directory(root / fs::relative(entry.path(), unit))) << entry.path();
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Rooms, IncludeDirection, testing::ValuesIn(rooms),
