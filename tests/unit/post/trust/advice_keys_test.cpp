@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 std::string literals_of(const std::vector<std::string>& folders) {
   std::string all;
   for (const auto& folder : folders)
-    for (const auto& entry : fs::directory_iterator(fs::path(WEAVEFORM_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(WEAVEFORM_SOURCE_DIR) / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       std::ifstream stream(entry.path());
       std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
