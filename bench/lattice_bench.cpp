@@ -10,12 +10,7 @@
 
 #include "fabric/card/card.hpp"
 #include "mesher/lattice/build.hpp"
-#include "solver/bending/lattice_bending.hpp"
-#include "solver/bending/shell.hpp"
-#include "solver/lattice/forces.hpp"
-#include "solver/ply/critical_step.hpp"
-#include "solver/ply/motion.hpp"
-#include "solver/result/fields.hpp"
+#include "solver/ply/ply.hpp"
 
 namespace {
 
@@ -25,20 +20,19 @@ struct Lattice {
   Scene scene;
   Card card = load_card("twintex-pw");
   Mesh mesh;
-  PackedMesh packed;
-  State state;
+  std::unique_ptr<Ply> ply;
 
-  Lattice(int cells, const std::string& formulation, double yarn_angle) {
+  Lattice(int cells, double yarn_angle, const ModelSpec& model) {
     const double side = cells * card.yarn[0].interval;
     scene.blank.size = {side, side};
     scene.blank.yarn_angle = yarn_angle;
     scene.blank.fit = "none";
-    scene.model.formulation = formulation;
+    scene.model = model;
     mesh = build_mesh(scene, card);
-    packed = pack_mesh(mesh);
-    state = initial_state(packed, mesh);
+    ply = std::make_unique<Ply>(PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = alone()});
     // yarns in tension and in compression, cells sheared both ways, so that no branch could be cheap by luck
-    for (const int n : packed.packed_of_mesh) {
+    State& state = ply->state();
+    for (const int n : ply->packed().packed_of_mesh) {
       state.position[0][n] += 0.6 * std::sin(0.05 * state.position[1][n]);
       state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
       state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
@@ -47,61 +41,40 @@ struct Lattice {
 };
 
 enum Part { whole_step, forces_only, motion_only };
+constexpr double step = 1e-7;  // s; well below the stable step
 
-void run(benchmark::State& bench, const std::string& formulation, double yarn_angle, Part part) {
-  Lattice lattice(static_cast<int>(bench.range(0)), formulation, yarn_angle);
-  FabricForces forces(lattice.packed, lattice.card, yarn_laws(lattice.card, lattice.scene.model), lattice.scene.model,
-                      lattice.state, alone());
-  Motion motion(lattice.packed, 1.0, alone());
-  std::vector<Grip> no_grips;
-  const std::vector<double> none;
-  constexpr double step = 1e-7;  // s; well below the stable step
-  forces.compute(lattice.state);
-  for ([[maybe_unused]] auto _ : bench) {
-    if (part != motion_only) forces.compute(lattice.state);
-    if (part != forces_only) motion.advance(lattice.state, no_grips, none, none, step, step);
-  }
+void count(benchmark::State& bench, const Lattice& lattice) {
   bench.counters["cell-steps/s"] =
       benchmark::Counter(static_cast<double>(lattice.mesh.cells.size()), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void run(benchmark::State& bench, const std::string& formulation, double yarn_angle, Part part) {
+  ModelSpec model;
+  model.formulation = formulation;
+  Lattice lattice(static_cast<int>(bench.range(0)), yarn_angle, model);
+  lattice.ply->compute_forces(step);
+  for ([[maybe_unused]] auto _ : bench) {
+    if (part != motion_only) lattice.ply->compute_forces(step);
+    if (part != forces_only) lattice.ply->advance(step, step, false);
+  }
+  count(bench, lattice);
   bench.counters["cells"] = lattice.mesh.cells.size();
-  bench.counters["loose cells"] = lattice.packed.loose_cells.size();
+  bench.counters["loose cells"] = lattice.ply->packed().loose_cells.size();
 }
 
 // One whole step with everything that the scene's model adds, on the crumpled lattice.
 void elements(benchmark::State& bench, const std::string& yarn, const std::string& cell) {
-  Lattice lattice(static_cast<int>(bench.range(0)), "energy", 0.0);
-  auto& model = lattice.scene.model;
+  ModelSpec model;
   model.yarn = yarn;
   model.cell = cell;
-  const auto laws = yarn_laws(lattice.card, model);
-  const std::vector<char> free(lattice.mesh.node_count(), 0);
-  const CriticalStep critical(lattice.mesh, lattice.card, laws, model, free);
-  const auto position = mesh_positions(lattice.packed, lattice.state);
-  const auto stiffest = critical.stiffest(every_strain);
-  const double fabric_step = critical(position, stiffest).step;
-  FabricForces forces(lattice.packed, lattice.card, laws, model, lattice.state, alone());
-  const Flexure flexure = choose_flexure(lattice.card, model);
-  std::vector<std::unique_ptr<ForceTerm>> terms;
-  if (flexure.bends_yarns || flexure.rotation_free)
-    terms.push_back(
-        std::make_unique<LatticeBending>(lattice.mesh, lattice.packed, flexure, free, lattice.state, alone()));
-  if (flexure.has_shell)
-    terms.push_back(std::make_unique<Shell>(lattice.mesh, lattice.packed, lattice.card, flexure, free, lattice.state,
-                                            Shell::Setup{fabric_step, 1.0, alone()}));
-  std::vector<double> further(lattice.mesh.node_count(), 0.0);
-  for (const auto& term : terms) term->add_stiffness_bound(position, 0.0, further);
-  Motion motion(lattice.packed, 1.0, alone());
-  std::vector<Grip> no_grips;
-  const std::vector<double> none;
-  constexpr double step = 1e-7;  // s; well below the stable step
+  Lattice lattice(static_cast<int>(bench.range(0)), 0.0, model);
+  const double stable_step = lattice.ply->renew_stable_step().step;
   for ([[maybe_unused]] auto _ : bench) {
-    forces.compute(lattice.state);
-    for (const auto& term : terms) term->add_forces(lattice.state, step);
-    motion.advance(lattice.state, no_grips, none, none, step, step);
+    lattice.ply->compute_forces(step);
+    lattice.ply->advance(step, step, false);
   }
-  bench.counters["cell-steps/s"] =
-      benchmark::Counter(static_cast<double>(lattice.mesh.cells.size()), benchmark::Counter::kIsIterationInvariantRate);
-  bench.counters["stable step us"] = 1e6 * critical(position, stiffest, further).step;
+  count(bench, lattice);
+  bench.counters["stable step us"] = 1e6 * stable_step;
 }
 
 }  // namespace

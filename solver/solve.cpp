@@ -6,6 +6,7 @@
 
 #include "core/files/files.hpp"
 #include "mesher/symmetry/cut_part.hpp"
+#include "mesher/tools/tool.hpp"
 #include "solver/analysis/analysis.hpp"
 #include "solver/analysis/interrupt.hpp"
 #include "solver/bending/flexure.hpp"
@@ -28,7 +29,7 @@ constexpr const char* checkpoint_name = "checkpoint.bin";
 constexpr const char* clean_checkpoint_name = "checkpoint_clean.bin";  // of the run that a perturbed one is set beside
 
 // Folded cells can carry nearly the right load, so a perturbed start is judged by positions, against the clean run.
-void compare_with_clean_run(const Mesh& mesh, const Scene& scene, const Card& card,
+void compare_with_clean_run(const Mesh& mesh, const Scene& scene, const Card& card, const std::vector<Tool>& tools,
                             const std::filesystem::path& directory, const SolveOptions& options, SolveResult& result) {
   Scene clean = scene;
   clean.analysis.perturbation = 0.0;
@@ -37,7 +38,8 @@ void compare_with_clean_run(const Mesh& mesh, const Scene& scene, const Card& ca
   quiet.stop_at_step = 0;
   if (!directory.empty()) quiet.checkpoint_file = directory / clean_checkpoint_name;
   quiet.resume = options.resume && std::filesystem::exists(quiet.checkpoint_file);
-  const SolveResult reference = Analysis(mesh, nullptr, clean, card, {}, quiet).run();
+  const SolveResult reference =
+      Analysis({.whole = mesh, .scene = clean, .card = card, .tools = tools}, {}, quiet).run();
   auto& s = result.statistics;
   s.perturbation_distance_mm = farthest(result.position, reference.position);
   s.perturbation_returned = s.folded_cells_at_end == reference.statistics.folded_cells_at_end &&
@@ -66,11 +68,15 @@ SolveResult solve(const Mesh& real, const Scene& scene, const Card& card, const 
   if (scene.analysis.mass_scale != 1.0) scaled = heavier(real, scene.analysis.mass_scale);
   const Mesh& mesh = scaled ? *scaled : real;
   const InterruptWatch interrupt;
+  const std::vector<Tool> tools = make_tools(scene, mesh);
   std::optional<SymmetricPart> part;
   if (const Symmetry symmetry = find_symmetry(scene, card, mesh); !symmetry.plane.empty())
     part = cut_part(mesh, symmetry, choose_flexure(card, scene.model).bends_yarns);
-  SolveResult result = Analysis(mesh, part ? &*part : nullptr, scene, card, directory, options).run();
-  if (scene.analysis.perturbation > 0.0) compare_with_clean_run(mesh, scene, card, directory, options, result);
+  SolveResult result =
+      Analysis({.whole = mesh, .part = part ? &*part : nullptr, .scene = scene, .card = card, .tools = tools},
+               directory, options)
+          .run();
+  if (scene.analysis.perturbation > 0.0) compare_with_clean_run(mesh, scene, card, tools, directory, options, result);
   if (!directory.empty()) close_run(result.statistics, directory);
   return result;
 }

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "solver/lattice/forces.hpp"
-#include "solver/result/fields.hpp"
+#include "solver/ply/ply.hpp"
 
 namespace weaveform {
 
@@ -65,6 +64,13 @@ YarnDirections trellis_rate(double gamma, double turn) {
           {0.5 * std::cos(turn - 0.5 * gamma), 0.5 * std::sin(turn - 0.5 * gamma)}};
 }
 
+// Of trellis shear, which bends nothing.
+ModelSpec in_plane(ModelSpec model) {
+  model.cell = "membrane";
+  if (model.yarn == "beam") model.yarn = "truss";
+  return model;
+}
+
 // A flat node carried along by the yarns: x = X_1 g1 + X_2 g2.
 double carried(const std::array<double, 3>& flat, const YarnDirections& g, int component) {
   return flat[0] * g.warp[component] + flat[1] * g.weft[component];
@@ -75,9 +81,11 @@ double carried(const std::array<double, 3>& flat, const YarnDirections& g, int c
 std::vector<UnitCellPoint> shear_unit_cell(const Card& card, const ModelSpec& model, const std::array<double, 2>& sides,
                                            const UnitCellMotion& motion) {
   const Mesh mesh = one_cell(card, sides);
-  const PackedMesh packed = pack_mesh(mesh);
-  State state = initial_state(packed, mesh);
-  FabricForces fabric(packed, card, yarn_laws(card, model), model, state, alone());
+  Scene scene;
+  scene.model = in_plane(model);
+  Ply ply({.whole = mesh, .scene = scene, .card = card, .team = alone()});
+  State& state = ply.state();
+  const PackedMesh& packed = ply.packed();
   std::vector<UnitCellPoint> points;
   points.reserve(static_cast<std::size_t>(motion.increments));
   for (int n = 1; n <= motion.increments; ++n) {
@@ -86,7 +94,7 @@ std::vector<UnitCellPoint> shear_unit_cell(const Card& card, const ModelSpec& mo
     const YarnDirections g = trellis(gamma, turn), rate = trellis_rate(gamma, turn);
     for (int a = 0; a < 4; ++a)
       for (int c = 0; c < 2; ++c) state.position[c][packed.packed_of_mesh[a]] = carried(mesh.nodes.position[a], g, c);
-    fabric.compute(state);
+    ply.compute_forces(0.0);
     double power = 0.0;  // N mm per rad
     for (int a = 0; a < 4; ++a)
       for (int c = 0; c < 2; ++c)

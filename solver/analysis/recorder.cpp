@@ -102,9 +102,18 @@ void Recorder::finish() {
   close_window();
 }
 
-void Recorder::restore(std::vector<std::vector<double>> rows, Window window) {
-  history_.row = std::move(rows);
-  window_ = std::move(window);
+void Recorder::archive(Archive& archive) {
+  const auto most_rows = static_cast<std::size_t>(rows_) + 1;
+  history_.row.resize(archive.length("rows of history", history_.row.size(), 0, most_rows));
+  for (auto& row : history_.row) {
+    row.resize(history_.column.size());
+    archive.numbers("a row of history", row, anything);
+  }
+  archive.number("a window's time", window_.elapsed, not_negative);
+  archive.numbers("an impulse", window_.impulse);
+  std::int64_t row = window_.row;
+  archive.count("a window's row", row, 0, static_cast<std::int64_t>(history_.row.size()));
+  window_.row = static_cast<int>(row);
 }
 
 }  // namespace weaveform

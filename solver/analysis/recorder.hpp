@@ -11,6 +11,7 @@
 #include "solver/constraint/grips.hpp"
 #include "solver/result/probe.hpp"
 #include "solver/result/result.hpp"
+#include "solver/state/archive.hpp"
 #include "solver/state/tool_reading.hpp"
 
 namespace weaveform {
@@ -39,18 +40,14 @@ public:
   [[nodiscard]] const History& history() const { return history_; }
   // Rows from the first that nothing will change any more.
   [[nodiscard]] int closed_rows() const { return window_.row; }
-  [[nodiscard]] std::size_t impulses() const { return window_.impulse.size(); }
+  void archive(Archive& archive);
 
-  // What a checkpoint must keep.
+private:
   struct Window {
     double elapsed = 0.0;         // s
     std::vector<double> impulse;  // N s; of the grips, then of each tool: force, area (mm^2 s), x, y, z
     int row = 0;                  // the row this window belongs to
   };
-  [[nodiscard]] const Window& window() const { return window_; }
-  void restore(std::vector<std::vector<double>> rows, Window window);
-
-private:
   void close_window();
   int grip_count_;
   int tool_count_ = 0, tool_column_ = 0;

@@ -1,6 +1,11 @@
 // Output times t_k = k T / count, k = 0 .. count: due at the first step that reaches them.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
+#include "solver/state/archive.hpp"
+
 namespace weaveform {
 
 class Schedule {
@@ -12,8 +17,12 @@ public:
   void advance(double time) {
     while (due(time)) ++next_;
   }
-  [[nodiscard]] int index() const { return next_; }
-  void set_index(int index) { next_ = index; }
+  // `written`: outputs there are, which are not more than what was due.
+  void archive(Archive& archive, std::size_t written) {
+    std::int64_t next = next_;
+    archive.count("an output's number", next, static_cast<std::int64_t>(written), std::int64_t{count_} + 1);
+    next_ = static_cast<int>(next);
+  }
 
 private:
   double duration_;

@@ -312,11 +312,12 @@ void LatticeBending::add_forces(State& state, double /*step*/) {
   p.add_loose(state);
 }
 
-double LatticeBending::stored_energy() const {
+StoredEnergy LatticeBending::stored_energy() const {
   const auto& p = *parts_;
   const auto position = mesh_positions(p.packed, p.state);
-  return bending_energy(p.bends, p.flexure, position) +
-         twist_energy(p.twist_cells, p.flexure.twist, p.mesh.spacing, position);
+  const double energy = bending_energy(p.bends, p.flexure, position) +
+                        twist_energy(p.twist_cells, p.flexure.twist, p.mesh.spacing, position);
+  return {.total = energy, .bending = energy};
 }
 
 void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabric_frequency*/,

@@ -14,13 +14,13 @@
 
 #include "solver/bending/bends.hpp"
 #include "solver/bending/flexure.hpp"
-#include "solver/state/force_term.hpp"
+#include "solver/state/actor.hpp"
 #include "solver/state/packed.hpp"
 #include "solver/state/team.hpp"
 
 namespace weaveform {
 
-class LatticeBending : public ForceTerm {
+class LatticeBending : public Actor {
 public:
   // `held`: as for find_bends. `state` must outlive the term. `every`: steps (by state.step) from one impulse to the
   // next. Throws InputError when a moment law has more pieces or a higher degree than the inner loop takes.
@@ -29,7 +29,7 @@ public:
   ~LatticeBending() override;
   [[nodiscard]] std::string name() const override { return "bending"; }
   void add_forces(State& state, double step) override;
-  [[nodiscard]] double stored_energy() const override;
+  [[nodiscard]] StoredEnergy stored_energy() const override;
   void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
                            std::vector<double>& bound) const override;
 

@@ -374,23 +374,19 @@ void Shell::add_forces(State& state, double step) {
   p.kick(step);
 }
 
-double Shell::stored_energy() const {
+StoredEnergy Shell::stored_energy() const {
   const auto& p = *parts_;
-  return shell_energy(p.edges, p.cells, p.flexure, p.mesh.spacing, mesh_positions(p.packed, p.state), directors());
+  const auto position = mesh_positions(p.packed, p.state);
+  const auto normal = directors();
+  const double energy = shell_energy(p.edges, p.cells, p.flexure, p.mesh.spacing, position, normal);
+  return {.total = energy,
+          .bending = energy,
+          .hourglass =
+              shell_hourglass_energy(find_twist_cells(p.mesh), p.flexure, p.card, p.mesh.spacing, position, normal)};
 }
 
-double Shell::hourglass_energy() const {
-  const auto& p = *parts_;
-  return shell_hourglass_energy(find_twist_cells(p.mesh), p.flexure, p.card, p.mesh.spacing,
-                                mesh_positions(p.packed, p.state), directors());
-}
-
-double Shell::kinetic_energy() const {
-  return parts_->kinetic;
-}
-
-double Shell::dissipated() const {
-  return parts_->damping_work;
+EnergyFlow Shell::energy_flow() const {
+  return {.kinetic = parts_->kinetic, .lost = parts_->damping_work};
 }
 
 double Shell::inertia_scale() const {
@@ -415,25 +411,14 @@ void Shell::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabr
   }
 }
 
-std::vector<double> Shell::memory() const {
-  const auto& p = *parts_;
-  std::vector<double> memory = {p.step_before, p.kinetic, p.damping_work, p.power_before};
-  for (const auto* field : {&p.director, &p.velocity})
-    for (const auto& component : *field) memory.insert(memory.end(), component.begin(), component.end());
-  return memory;
-}
-
-void Shell::recall(const std::vector<double>& memory) {
-  for (const double value : memory)
-    if (!std::isfinite(value)) throw FileError("shell: a director that is not a number");
+void Shell::archive(Archive& archive) {
   auto& p = *parts_;
-  auto from = memory.begin();
-  for (double* value : {&p.step_before, &p.kinetic, &p.damping_work, &p.power_before}) *value = *from++;
-  for (auto* field : {&p.director, &p.velocity})
-    for (auto& component : *field) {
-      std::copy_n(from, component.size(), component.begin());
-      from += static_cast<std::ptrdiff_t>(component.size());
-    }
+  archive.number("a shell's step", p.step_before, not_negative);
+  archive.number("a shell's energy", p.kinetic, not_negative);
+  archive.number("a shell's damping work", p.damping_work);
+  archive.number("a shell's damping power", p.power_before);
+  for (auto& component : p.director) archive.numbers("a director", component);
+  for (auto& component : p.velocity) archive.numbers("a director's velocity", component);
 }
 
 std::vector<Vec3> Shell::directors() const {

@@ -8,13 +8,13 @@
 #include <memory>
 
 #include "solver/bending/flexure.hpp"
-#include "solver/state/force_term.hpp"
+#include "solver/state/actor.hpp"
 #include "solver/state/packed.hpp"
 #include "solver/state/team.hpp"
 
 namespace weaveform {
 
-class Shell : public ForceTerm {
+class Shell : public Actor {
 public:
   struct Setup {
     double fabric_step = 0.0;  // s; stable step without the shell
@@ -27,17 +27,13 @@ public:
   ~Shell() override;
   [[nodiscard]] std::string name() const override { return "shell"; }
   void add_forces(State& state, double step) override;
-  [[nodiscard]] double stored_energy() const override;
-  [[nodiscard]] double kinetic_energy() const override;
-  [[nodiscard]] double dissipated() const override;
+  [[nodiscard]] StoredEnergy stored_energy() const override;
+  [[nodiscard]] EnergyFlow energy_flow() const override;
   void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
                            std::vector<double>& bound) const override;
   [[nodiscard]] double longest_step() const override;
-  [[nodiscard]] std::vector<double> memory() const override;
-  void recall(const std::vector<double>& memory) override;
+  void archive(Archive& archive) override;
 
-  // mJ; part of the stored energy that one point at each cell's centre would not see.
-  [[nodiscard]] double hourglass_energy() const;
   // 1; greatest factor on a node's rotary inertia.
   [[nodiscard]] double inertia_scale() const;
   // Per mesh node; for output and tests.

@@ -14,7 +14,7 @@
 
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
-#include "solver/state/force_term.hpp"
+#include "solver/state/actor.hpp"
 #include "solver/state/packed.hpp"
 #include "solver/state/state.hpp"
 
@@ -45,14 +45,13 @@ struct FrameMechanism {
 [[nodiscard]] std::vector<Grip> make_frame_grips(const FrameSpec& frame, const Mesh& mesh, const PackedMesh& packed);
 
 // Members of a deformable frame: linear elastic trusses, N = E A ln(L/L0) L0/L.
-class FrameMembers : public ForceTerm {
+class FrameMembers : public Actor {
 public:
   FrameMembers(const FrameSpec& frame, const Mesh& mesh, const PackedMesh& packed);
   [[nodiscard]] std::string name() const override { return "frame members"; }
   void add_forces(State& state, double step) override;
-  [[nodiscard]] double stored_energy() const override { return energy_; }
-  [[nodiscard]] std::vector<double> memory() const override { return {energy_}; }
-  void recall(const std::vector<double>& memory) override { energy_ = memory[0]; }
+  [[nodiscard]] StoredEnergy stored_energy() const override { return {.total = energy_}; }
+  void archive(Archive& archive) override { archive.number("the frame's energy", energy_, not_negative); }
   void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
                            std::vector<double>& bound) const override;
 

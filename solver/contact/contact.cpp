@@ -6,20 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "core/error.hpp"
-#include "core/keys/advice.hpp"
 
 namespace weaveform {
 namespace {
 
 constexpr double start_tolerance = 1e-9;  // mm; a start this deep counts as touching
-constexpr double coupling_split = 0.1;    // how a spring to a pushed tool is shared between node and tool, see below
-
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 double stiffness_factor(const AnalysisSpec& analysis) {
   return analysis.contact_stiffness.value_or(analysis.step_bound == "reached" ? contact_stiffness_reached : 1.0);
@@ -52,42 +45,19 @@ Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
   return area;
 }
 
-// Along the mirror planes that mirror a resting tool onto itself: the force across them is zero.
-Vec3 along_planes(Vec3 direction, const std::vector<SymmetryPlane>& planes) {
-  for (const auto& plane : planes) {
-    const double across = dot(direction, plane.normal);
-    for (int c = 0; c < 3; ++c) direction[c] -= across * plane.normal[c];
-  }
-  return direction;
-}
-
 }  // namespace
 
-double Contact::Partner::reaction() const {
-  return dot(force, tool.direction);
+double contact_frequency(const AnalysisSpec& analysis, double fabric_step) {
+  return std::sqrt(contact_stiffness_share * stiffness_factor(analysis)) * 2.0 / fabric_step;
 }
 
-Placement Contact::Partner::place() const {
-  Placement place = tool.start;
-  for (int c = 0; c < 3; ++c) place.origin[c] += motion.displacement() * tool.direction[c];
-  return place;
-}
-
-ContactTool Contact::Partner::contact_tool() const {
-  const double v = motion.velocity();
-  return {place().origin, {v * tool.direction[0], v * tool.direction[1], v * tool.direction[2]}};
-}
-
-Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
-                 double fabric_step, Team& team)
+Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start, const SprungPly& ply,
+                 RigidTools& tools, Team& team)
     : packed_(packed),
       team_(team),
+      tools_(tools),
       thickness_(mesh.thickness),
-      least_spacing_(std::min(mesh.spacing[0], mesh.spacing[1])),
-      frequency_(std::sqrt(contact_stiffness_share * stiffness_factor(scene.analysis)) * 2.0 / fabric_step),
-      fabric_frequency_(2.0 / fabric_step),
-      parts_(mesh.symmetry.parts()),
-      planes_(mesh.symmetry.plane),
+      frequency_(ply.frequency),
       mass_(packed.nodes, 0.0),
       area_(node_areas(mesh, packed)),
       mesh_of_packed_(packed.nodes, -1) {
@@ -95,54 +65,35 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
     const int p = packed.packed_of_mesh[n];
     mass_[p] = packed.mass[p];
     mesh_of_packed_[p] = mesh.shown_node(n);
-    blank_mass_ += packed.mass[p];
   }
-  const auto tools = make_tools(scene, mesh);
-  for (std::size_t t = 0; t < tools.size(); ++t) {
-    Tool tool = tools[t];
-    ToolSpec spec = scene.tools[t];
-    // a half or quarter of the fabric meets a half or quarter of the tool
-    if (spec.force) *spec.force /= parts_;
-    if (spec.mass) *spec.mass /= parts_;
-    if (spec.travel == 0.0 && !spec.force) tool.direction = along_planes(tool.direction, mesh.symmetry.plane);
-    partners_.push_back(make_partner(tool, spec, duration, start, default_tool_mass(scene.analysis, blank_mass_)));
-  }
+  for (const auto& tool : tools.tools()) touch_.push_back(make_touch(tool.tool, start));
+  loads_.resize(touch_.size());
   refuse_penetration(start);
 }
 
-Contact::Partner Contact::make_partner(const Tool& tool, const ToolSpec& spec, double duration, const State& start,
-                                       double free_mass) const {
-  const double mass = spec.mass.value_or(free_mass);
-  // k (u - U)^2 <= (1 + e) k u^2 + (1 + 1/e) k U^2: the tool's share must stay below the fabric's greatest omega^2
-  const double least_mass =
-      (1.0 + 1.0 / coupling_split) * frequency_ * frequency_ * blank_mass_ / (fabric_frequency_ * fabric_frequency_);
-  if (spec.force && mass < least_mass)
-    throw InputError(
-        fmt::format("[tools.{}] mass {:.4g} tonne is too light for the stable step; give {:.4g} or more (the blank has "
-                    "{:.4g})",
-                    spec.name, parts_ * mass, rounded_up(parts_ * least_mass, 4), parts_ * blank_mass_));
-  Partner partner(tool, ToolMotion(spec, duration, mass));
-  partner.law = {.offset = tool.offset,
-                 .softening = contact_softening * thickness_,
-                 .frequency2 = frequency_ * frequency_,
-                 .damping_rate = 2.0 * contact_damping * frequency_,
-                 .friction = tool.friction};
-  partner.anchor = start.position;
+Contact::Touch Contact::make_touch(const Tool& tool, const State& start) const {
+  Touch touch;
+  touch.law = {.offset = tool.offset,
+               .softening = contact_softening * thickness_,
+               .frequency2 = frequency_ * frequency_,
+               .damping_rate = 2.0 * contact_damping * frequency_,
+               .friction = tool.friction};
+  touch.anchor = start.position;
   for (int c = 0; c < 3; ++c)
-    for (double& value : partner.anchor[c]) value -= tool.start.origin[c];
-  partner.clearance.assign(block_count(), 0.0);
-  partner.measured.assign(block_count(), 0);
-  partner.sums.resize(block_count());
-  partner.depth.assign(block_count(), 0.0);
+    for (double& value : touch.anchor[c]) value -= tool.start.origin[c];
+  touch.clearance.assign(block_count(), 0.0);
+  touch.measured.assign(block_count(), 0);
+  touch.sums.resize(block_count());
+  touch.depth.assign(block_count(), 0.0);
   if (tool.shape == ToolShape::triangles) {
-    partner.hint.assign(packed_.nodes, 0);
-    partner.far.assign(packed_.nodes, -std::numeric_limits<double>::infinity());
-    for (auto& component : partner.measured_at) component.assign(packed_.nodes, 0.0);
+    touch.hint.assign(packed_.nodes, 0);
+    touch.far.assign(packed_.nodes, -std::numeric_limits<double>::infinity());
+    for (auto& component : touch.measured_at) component.assign(packed_.nodes, 0.0);
     // no fabric, no distance: nodes that do not exist are never measured
     for (int n = 0; n < packed_.nodes; ++n)
-      if (mass_[n] == 0.0 && area_[n] == 0.0) partner.far[n] = 1e30;
+      if (mass_[n] == 0.0 && area_[n] == 0.0) touch.far[n] = 1e30;
   }
-  return partner;
+  return touch;
 }
 
 int Contact::block_count() const {
@@ -151,16 +102,17 @@ int Contact::block_count() const {
 
 void Contact::refuse_penetration(const State& start) const {
   std::vector<std::string> complaints;
-  for (const auto& partner : partners_) {
+  for (const auto& moving : tools_.tools()) {
+    const Tool& tool = moving.tool;
     double deepest = start_tolerance;
     int node = -1;
     for (int n = 0; n < packed_.nodes; ++n) {
       if (mass_[n] == 0.0) continue;
       Distances found;
       int hint = 0;
-      tool_distances(partner.tool, partner.tool.start,
-                     {&start.position[0][n], &start.position[1][n], &start.position[2][n]}, 1, &hint, found);
-      const double depth = partner.tool.offset - found.distance[0];
+      tool_distances(tool, tool.start, {&start.position[0][n], &start.position[1][n], &start.position[2][n]}, 1, &hint,
+                     found);
+      const double depth = tool.offset - found.distance[0];
       if (depth > deepest) {
         deepest = depth;
         node = n;
@@ -170,43 +122,24 @@ void Contact::refuse_penetration(const State& start) const {
       complaints.push_back(fmt::format(
           "[tools.{}]: node {} at ({:.6g}, {:.6g}, {:.6g}) mm starts {:.4g} mm inside it (fabric's half thickness "
           "{:.4g} mm included); move the tool's position or the blank's",
-          partner.tool.name, mesh_of_packed_[node], start.position[0][node], start.position[1][node],
-          start.position[2][node], deepest, partner.tool.offset));
+          tool.name, mesh_of_packed_[node], start.position[0][node], start.position[1][node], start.position[2][node],
+          deepest, tool.offset));
   }
   if (!complaints.empty()) throw InputError(complaints);
 }
 
 void Contact::add_forces(State& state, double /*step*/) {
   const auto begin = std::chrono::steady_clock::now();
-  const double step = started_ ? state.time - time_before_ : 0.0;
-  std::vector<double> reaction_before(partners_.size());
-  for (std::size_t t = 0; t < partners_.size(); ++t) reaction_before[t] = partners_[t].reaction();
-  move_tools(state.time, step);
+  const double step = tools_.step_made();
   team_.run(block_count(), [&](int block) { treat_block(block, state, step); });
-  for (std::size_t t = 0; t < partners_.size(); ++t) {
-    sum_blocks(partners_[t], reaction_before[t]);
-    check(partners_[t], state);
+  for (std::size_t t = 0; t < touch_.size(); ++t) {
+    sum_blocks(touch_[t], loads_[t]);
+    check(t, state);
   }
-  read_instruments();
-  started_ = true;
-  time_before_ = state.time;
   wall_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void Contact::move_tools(double time, double step) {
-  for (auto& partner : partners_) {
-    partner.motion.advance(time, step, partner.reaction());
-    const double way = std::abs(partner.motion.state().way);
-    partner.way += way;
-    if (way > least_spacing_)
-      throw PhysicsError(fmt::format(
-          "at t = {:.4g} s: tool '{}' moved {:.4g} mm in one step, more than a cell ({:.4g} mm); load more slowly "
-          "(analysis.duration, analysis.loading_speed)",
-          time, partner.tool.name, way, least_spacing_));
-  }
-}
-
-ContactNodes Contact::block_nodes(int block, Partner& partner, State& state) const {
+ContactNodes Contact::block_nodes(int block, Touch& touch, State& state) const {
   const int first = block * points_at_a_time;
   ContactNodes nodes{};
   nodes.count = std::min(points_at_a_time, packed_.nodes - first);
@@ -216,35 +149,36 @@ ContactNodes Contact::block_nodes(int block, Partner& partner, State& state) con
     nodes.x[c] = state.position[c].data() + first;
     nodes.v[c] = state.velocity[c].data() + first;
     nodes.force[c] = state.force[c].data() + first;
-    nodes.anchor[c] = partner.anchor[c].data() + first;
+    nodes.anchor[c] = touch.anchor[c].data() + first;
   }
   return nodes;
 }
 
 // A closest triangle is dear, a point far from it most of all. A distance changes by no more than point and tool move,
 // so that most points need no new one: they get a lower bound, which contact, seeing no touch, takes for the distance.
-void Contact::triangle_distances(Partner& partner, const ContactNodes& nodes, int first, Distances& distances) {
+void Contact::triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
+                                 Distances& distances) {
   constexpr double rounding = 1e-9;  // mm
   for (int n = 0; n < nodes.count; ++n) {
     const int node = first + n;
-    const Vec3 moved = {nodes.x[0][n] - partner.measured_at[0][node], nodes.x[1][n] - partner.measured_at[1][node],
-                        nodes.x[2][n] - partner.measured_at[2][node]};
+    const Vec3 moved = {nodes.x[0][n] - touch.measured_at[0][node], nodes.x[1][n] - touch.measured_at[1][node],
+                        nodes.x[2][n] - touch.measured_at[2][node]};
     const double bound =
-        partner.far[node] - partner.way - std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
-    if (bound > partner.tool.offset + rounding) {
+        touch.far[node] - tool.way - std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
+    if (bound > tool.tool.offset + rounding) {
       distances.distance[n] = bound;
       for (int c = 0; c < 3; ++c) distances.normal[c][n] = c == 2 ? 1.0 : 0.0;
       continue;
     }
     Distances one;
-    tool_distances(partner.tool, partner.place(), {nodes.x[0] + n, nodes.x[1] + n, nodes.x[2] + n}, 1,
-                   &partner.hint[node], one);
+    tool_distances(tool.tool, tool.place(), {nodes.x[0] + n, nodes.x[1] + n, nodes.x[2] + n}, 1, &touch.hint[node],
+                   one);
     distances.distance[n] = one.distance[0];
     for (int c = 0; c < 3; ++c) {
       distances.normal[c][n] = one.normal[c][0];
-      partner.measured_at[c][node] = nodes.x[c][n];
+      touch.measured_at[c][node] = nodes.x[c][n];
     }
-    partner.far[node] = one.distance[0] + partner.way;
+    touch.far[node] = one.distance[0] + tool.way;
   }
 }
 
@@ -252,99 +186,67 @@ void Contact::triangle_distances(Partner& partner, const ContactNodes& nodes, in
 void Contact::treat_block(int block, State& state, double step) {
   constexpr double rounding = 1.0 + 1e-9;  // of speeds, ways and times
   double speed = -1.0;                     // mm/s; greatest of the block's nodes, measured when wanted
-  for (auto& partner : partners_) {
-    const ContactNodes nodes = block_nodes(block, partner, state);
-    double& clearance = partner.clearance[block];
-    const ContactTool tool = partner.contact_tool();
+  for (std::size_t k = 0; k < touch_.size(); ++k) {
+    Touch& touch = touch_[k];
+    const MovingTool& moving = tools_.tools()[k];
+    const ContactNodes nodes = block_nodes(block, touch, state);
+    double& clearance = touch.clearance[block];
+    const ContactTool tool = moving.contact_tool();
     const bool was_clear = clearance > 0.0;  // at the step before: no node stuck to the tool
     if (was_clear) {
       if (speed < 0.0) speed = greatest_speed({0.0, 0.0, 0.0}, nodes);
-      clearance -= (speed * step + std::abs(partner.motion.state().way)) * rounding;
+      clearance -= (speed * step + std::abs(moving.motion.state().way)) * rounding;
     }
-    partner.measured[block] = 0;
+    touch.measured[block] = 0;
     if (clearance > 0.0) continue;
     Distances distances;
-    if (partner.hint.empty())
-      tool_distances(partner.tool, partner.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, nullptr,
+    if (touch.hint.empty())
+      tool_distances(moving.tool, moving.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, nullptr,
                      distances);
     else
-      triangle_distances(partner, nodes, block * points_at_a_time, distances);
-    const double gap = least_gap(distances, partner.tool.offset, nodes);
+      triangle_distances(touch, moving, nodes, block * points_at_a_time, distances);
+    const double gap = least_gap(distances, moving.tool.offset, nodes);
     if (was_clear) reset_anchors(tool, nodes);
     clearance = std::max(gap, 0.0);
     if (gap > 0.0) continue;
-    partner.depth[block] = -gap;
-    partner.sums[block] = contact_forces(partner.law, tool, distances, step, nodes);
-    partner.measured[block] = 1;
+    touch.depth[block] = -gap;
+    touch.sums[block] = contact_forces(touch.law, tool, distances, step, nodes);
+    touch.measured[block] = 1;
   }
 }
 
-void Contact::sum_blocks(Partner& partner, double reaction_before) {
-  partner.force = {0.0, 0.0, 0.0};
-  partner.area = partner.energy = partner.deepest = 0.0;
-  for (std::size_t b = 0; b < partner.sums.size(); ++b) {
-    if (partner.measured[b] == 0) continue;
-    const ContactSums& sums = partner.sums[b];
-    for (int c = 0; c < 3; ++c) partner.force[c] += sums.force[c];
-    partner.area += sums.area;
-    partner.energy += sums.energy;
-    partner.friction_work += sums.friction_work;
-    partner.damping_work += sums.damping_work;
-    partner.deepest = std::max(partner.deepest, partner.depth[b]);
-  }
-  greatest_depth_ = std::max(greatest_depth_, partner.deepest);
-  partner.motion.add_travel_work(reaction_before, partner.reaction());
-}
-
-void Contact::read_instruments() {
-  readings_.clear();
-  for (const auto& partner : partners_) {
-    // what the mirrored parts feel across a plane is the opposite
-    Vec3 whole = along_planes(partner.force, planes_);
-    for (double& component : whole) component *= parts_;
-    readings_.push_back({partner.motion.displacement(), parts_ * partner.reaction(), parts_ * partner.area, whole});
+void Contact::sum_blocks(const Touch& touch, ToolLoad& load) {
+  load.force = {0.0, 0.0, 0.0};
+  load.area = load.energy = load.deepest = 0.0;
+  for (std::size_t b = 0; b < touch.sums.size(); ++b) {
+    if (touch.measured[b] == 0) continue;
+    const ContactSums& sums = touch.sums[b];
+    for (int c = 0; c < 3; ++c) load.force[c] += sums.force[c];
+    load.area += sums.area;
+    load.energy += sums.energy;
+    load.friction_work += sums.friction_work;
+    load.damping_work += sums.damping_work;
+    load.deepest = std::max(load.deepest, touch.depth[b]);
   }
 }
 
-void Contact::check(const Partner& partner, const State& state) const {
-  if (partner.deepest <= thickness_) return;
+void Contact::check(std::size_t number, const State& state) const {
+  const double deepest = loads_[number].deepest;
+  if (deepest <= thickness_) return;
+  const MovingTool& moving = tools_.tools()[number];
   for (int n = 0; n < packed_.nodes; ++n) {
     Distances found;
     int hint = 0;
-    tool_distances(partner.tool, partner.place(), {&state.position[0][n], &state.position[1][n], &state.position[2][n]},
+    tool_distances(moving.tool, moving.place(), {&state.position[0][n], &state.position[1][n], &state.position[2][n]},
                    1, &hint, found);
-    if (mass_[n] == 0.0 || partner.tool.offset - found.distance[0] < partner.deepest) continue;
+    if (mass_[n] == 0.0 || moving.tool.offset - found.distance[0] < deepest) continue;
     throw PhysicsError(fmt::format(
         "at t = {:.4g} s, step {}: node {} at ({:.6g}, {:.6g}, {:.6g}) mm has gone {:.4g} mm into tool '{}', more than "
         "the fabric's thickness ({:.4g} mm); load more slowly, see whether the tools can close, or, where friction or "
-        "a "
-        "binder pull the yarns over an edge, make blank.coarsening smaller: a node bears so much",
+        "a binder pull the yarns over an edge, make blank.coarsening smaller: a node bears so much",
         state.time, state.step, mesh_of_packed_[n], state.position[0][n], state.position[1][n], state.position[2][n],
-        partner.deepest, partner.tool.name, thickness_));
+        deepest, moving.tool.name, thickness_));
   }
-}
-
-double Contact::stored_energy() const {
-  double sum = 0.0;
-  for (const auto& partner : partners_) sum += partner.energy;
-  return sum;
-}
-
-double Contact::kinetic_energy() const {
-  double sum = 0.0;
-  for (const auto& partner : partners_) sum += partner.motion.kinetic_energy(time_before_, partner.reaction());
-  return sum;
-}
-
-double Contact::dissipated() const {
-  const Cost total = cost();
-  return total.friction_work + total.damping_work;
-}
-
-double Contact::external_work() const {
-  double sum = 0.0;
-  for (const auto& partner : partners_) sum += partner.motion.work();
-  return sum;
 }
 
 // A node may touch two tools at once (binder and die). Damping that acts on velocities half a step behind shortens the
@@ -354,82 +256,26 @@ void Contact::add_stiffness_bound(const std::vector<Vec3>& /*position*/, double 
                                   std::vector<double>& bound) const {
   const double greatest = std::hypot(fabric_frequency, std::sqrt(2.0) * frequency_);
   std::vector<double> rates;  // 1/s^2
-  for (const auto& partner : partners_)
-    rates.push_back((partner.motion.pushed() ? 1.0 + coupling_split : 1.0) * partner.law.frequency2 +
-                    partner.law.damping_rate * greatest);
+  for (std::size_t k = 0; k < touch_.size(); ++k)
+    rates.push_back((tools_.tools()[k].motion.pushed() ? 1.0 + coupling_split : 1.0) * touch_[k].law.frequency2 +
+                    touch_[k].law.damping_rate * greatest);
   std::sort(rates.rbegin(), rates.rend());
   const double rate = rates.front() + (rates.size() > 1 ? rates[1] : 0.0);
   for (std::size_t n = 0; n < bound.size(); ++n) bound[n] += rate * mass_[packed_.packed_of_mesh[n]];
 }
 
-// The tool's part of k (u - U)^2, see make_partner, with the damping of all nodes counted as above.
-double Contact::longest_step() const {
-  double greatest = 0.0;  // 1/s^2
-  for (const auto& partner : partners_) {
-    if (!partner.motion.pushed()) continue;
-    const double share = (1.0 + 1.0 / coupling_split) * blank_mass_ / partner.motion.mass();
-    greatest = std::max(greatest, share * partner.law.frequency2 * (1.0 + 2.0 * contact_damping));
+void Contact::archive(Archive& archive) {
+  for (std::size_t k = 0; k < touch_.size(); ++k) {
+    Touch& touch = touch_[k];
+    for (auto& component : touch.anchor) archive.numbers("an anchor", component);
+    archive.numbers("a clearance", touch.clearance, infinite_too);
+    archive_load(archive, loads_[k]);
+    if (touch.hint.empty()) continue;
+    archive.indices("a triangle that the tool does not have", touch.hint, 0,
+                    tools_.tools()[k].tool.surface->size() - 1);
+    for (auto& component : touch.measured_at) archive.numbers("a measured place", component);
+    archive.numbers("a distance", touch.far, infinite_too);
   }
-  return 2.0 / std::sqrt(greatest);
-}
-
-Contact::Cost Contact::cost() const {
-  Cost total{.penetration = greatest_depth_ / thickness_, .wall_s = wall_s_};
-  for (const auto& partner : partners_) {
-    total.friction_work += partner.friction_work;
-    total.damping_work += partner.damping_work + partner.motion.damping_work();
-  }
-  return total;
-}
-
-namespace {
-
-// One list for both ways: `visit` gets each number that a checkpoint keeps.
-template <class Partner, class Visit>
-void visit_memory(Partner& partner, Visit visit) {
-  for (auto& component : partner.anchor)
-    for (auto& value : component) visit(value);
-  for (auto& value : partner.clearance) visit(value);
-  for (auto& value : partner.hint) visit(value);
-  for (auto& component : partner.measured_at)
-    for (auto& value : component) visit(value);
-  for (auto& value : partner.far) visit(value);
-  visit(partner.way);
-  auto& motion = partner.motion.state();
-  for (auto* value : {&motion.displacement, &motion.velocity, &motion.step, &motion.way, &motion.work,
-                      &motion.damping_work, &partner.area, &partner.energy, &partner.friction_work,
-                      &partner.damping_work, &partner.deepest, &partner.force[0], &partner.force[1], &partner.force[2]})
-    visit(*value);
-}
-
-}  // namespace
-
-std::vector<double> Contact::memory() const {
-  std::vector<double> memory = {time_before_, greatest_depth_, wall_s_};
-  for (const auto& partner : partners_)
-    visit_memory(partner, [&](auto value) { memory.push_back(static_cast<double>(value)); });
-  return memory;
-}
-
-void Contact::recall(const std::vector<double>& memory) {
-  started_ = true;
-  time_before_ = memory.at(0);
-  greatest_depth_ = memory.at(1);
-  wall_s_ = memory.at(2);
-  std::size_t next = 3;
-  for (auto& partner : partners_) {
-    const int triangles = partner.tool.surface ? partner.tool.surface->size() : 0;
-    visit_memory(partner, [&](auto& value) {
-      const double kept = memory.at(next++);
-      if constexpr (std::is_same_v<decltype(value), int&>) {
-        if (!(kept >= 0.0 && kept < triangles)) throw FileError("contact: a triangle that the tool does not have");
-      } else if (std::isnan(kept)) {
-        throw FileError("contact: not a number");
-      }
-      value = static_cast<std::remove_reference_t<decltype(value)>>(kept);
-    });
-  }
-  read_instruments();
 }
 
 }  // namespace weaveform

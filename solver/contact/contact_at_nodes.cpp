@@ -41,8 +41,9 @@ ContactState Contact::contact_state(const State& state) const {
     int most = 0, count = 0;
     NodeContact greatest;
     double gap = std::numeric_limits<double>::max();
-    for (std::size_t t = 0; t < partners_.size(); ++t) {
-      const Partner& partner = partners_[t];
+    for (std::size_t t = 0; t < touch_.size(); ++t) {
+      const Touch& touch = touch_[t];
+      const MovingTool& moving = tools_.tools()[t];
       ContactNodes node{};
       node.count = 1;
       node.mass = &mass_[n];
@@ -51,16 +52,16 @@ ContactState Contact::contact_state(const State& state) const {
       for (int c = 0; c < 3; ++c) {
         node.x[c] = &state.position[c][n];
         node.v[c] = &state.velocity[c][n];
-        anchor[c] = partner.anchor[c][n];
+        anchor[c] = touch.anchor[c][n];
         node.anchor[c] = &anchor[c];
       }
-      int hint = partner.hint.empty() ? 0 : partner.hint[n];
+      int hint = touch.hint.empty() ? 0 : touch.hint[n];
       Distances found;
-      tool_distances(partner.tool, partner.place(), {node.x[0], node.x[1], node.x[2]}, 1, &hint, found);
-      const double here = found.distance[0] - partner.tool.offset;
+      tool_distances(moving.tool, moving.place(), {node.x[0], node.x[1], node.x[2]}, 1, &hint, found);
+      const double here = found.distance[0] - moving.tool.offset;
       gap = std::min(gap, here);
       if (here >= 0.0 || mass_[n] <= 0.0) continue;
-      const NodeContact contact = node_contact(partner.law, partner.contact_tool(), found, node);
+      const NodeContact contact = node_contact(touch.law, moving.contact_tool(), found, node);
       if (contact.normal <= 0.0) continue;
       ++count;
       if (contact.normal <= greatest.normal) continue;

@@ -14,6 +14,9 @@
 
 namespace weaveform {
 
+inline constexpr double contact_damping = 0.1;     // of critical, of a node on its contact spring
+inline constexpr double contact_softening = 0.02;  // of the thickness: the depth over which the normal force sets in
+
 struct ContactLaw {
   double offset = 0.0;        // mm; from the fabric's middle plane to its face
   double softening = 0.0;     // mm; d

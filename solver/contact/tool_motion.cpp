@@ -75,4 +75,10 @@ double ToolMotion::kinetic_energy(double time, double reaction) const {
   return 0.5 * mass_ * velocity * velocity;
 }
 
+void ToolMotion::archive(Archive& archive) {
+  for (double* value :
+       {&state_.displacement, &state_.velocity, &state_.step, &state_.way, &state_.work, &state_.damping_work})
+    archive.number("a tool's motion", *value);
+}
+
 }  // namespace weaveform

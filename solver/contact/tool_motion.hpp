@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/scene/scene.hpp"
+#include "solver/state/archive.hpp"
 
 namespace weaveform {
 
@@ -43,8 +44,8 @@ public:
   struct State {
     double displacement = 0.0, velocity = 0.0, step = 0.0, way = 0.0, work = 0.0, damping_work = 0.0;
   };
-  [[nodiscard]] State& state() { return state_; }
   [[nodiscard]] const State& state() const { return state_; }
+  void archive(Archive& archive);
 
 private:
   [[nodiscard]] double force_at(double time) const;  // N

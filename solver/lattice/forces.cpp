@@ -363,23 +363,11 @@ double FabricForces::cell_work() const {
   return work;
 }
 
-std::vector<double> FabricForces::memory() const {
-  std::vector<double> result = {kernels_->sums[0].power, kernels_->sums[1].power};
-  if (!kernels_->has_history) return result;
-  for (auto* store : {&kernels_->lattice_history, &kernels_->loose_history})
-    for (const auto& array : store->current()) result.insert(result.end(), array.begin(), array.end());
-  return result;
-}
-
-void FabricForces::recall(const std::vector<double>& memory) {
-  auto from = memory.begin();
-  for (YarnSums& sums : kernels_->sums) sums.power = *from++;
+void FabricForces::archive(Archive& archive) {
+  for (YarnSums& sums : kernels_->sums) archive.number("the yarns' viscous power", sums.power);
   if (!kernels_->has_history) return;
   for (auto* store : {&kernels_->lattice_history, &kernels_->loose_history})
-    for (auto& array : store->current()) {
-      std::copy_n(from, array.size(), array.begin());
-      from += static_cast<std::ptrdiff_t>(array.size());
-    }
+    for (auto& array : store->current()) archive.numbers("a cell's history", array);
 }
 
 }  // namespace weaveform

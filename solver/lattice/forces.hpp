@@ -9,6 +9,7 @@
 #include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/element/strain_range.hpp"
+#include "solver/state/archive.hpp"
 #include "solver/state/packed.hpp"
 #include "solver/state/state.hpp"
 #include "solver/state/team.hpp"
@@ -43,10 +44,9 @@ public:
   [[nodiscard]] double viscous_power() const;
   // mJ; work done on the cells so far, for formulations with a history (0 for the others).
   [[nodiscard]] double cell_work() const;
-  // What the last call left behind, for checkpoints: the yarns' viscous power, and the history of all cells where the
-  // formulation has one. As long for every state and number of threads.
-  [[nodiscard]] std::vector<double> memory() const;
-  void recall(const std::vector<double>& memory);
+  // What the last call left behind: the yarns' viscous power, and the history of all cells where the formulation has
+  // one. The same for any number of threads.
+  void archive(Archive& archive);
 
 private:
   struct Kernels;

@@ -124,4 +124,16 @@ double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell
   return energy + path_.work;
 }
 
+void InternalEnergy::archive(Archive& archive) {
+  if (model_.formulation != "contravariant") return;
+  const auto cells = static_cast<std::size_t>(mesh_.cells.size());
+  archive.number("a cell's work", path_.work);
+  const std::size_t kept = archive.length("cell stresses", path_.stress.size(), 0, cells);
+  if (kept != 0 && kept != cells) throw DamagedState{"a path of other cells"};
+  for (auto* values : {&path_.stress, &path_.log_stretch}) {
+    values->resize(kept);
+    archive.numbers("a cell's path", *values);
+  }
+}
+
 }  // namespace weaveform

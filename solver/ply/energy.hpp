@@ -14,6 +14,7 @@
 #include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
+#include "solver/state/archive.hpp"
 
 namespace weaveform {
 
@@ -38,16 +39,16 @@ public:
   // mJ; calls must follow the motion in order when the formulation has no potential. `cell_work` (mJ) stands for the
   // cells' energy when they have a history.
   [[nodiscard]] double operator()(const std::vector<Vec3>& position, double cell_work = 0.0);
-  // What the path integral holds, for checkpoints.
+  // What the path integral holds, where the formulation needs one.
+  void archive(Archive& archive);
+
+private:
   struct Path {
     double work = 0.0;                // mJ
     std::vector<double> stress;       // MPa; V0 sigma s per cell at the last call
     std::vector<double> log_stretch;  // 1; ln |g1||g2| per cell at the last call
   };
-  [[nodiscard]] const Path& path() const { return path_; }
-  void set_path(Path path) { path_ = std::move(path); }
 
-private:
   const Mesh& mesh_;
   Card card_;
   std::array<TangentLaw, 2> yarn_laws_;

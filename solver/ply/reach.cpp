@@ -30,9 +30,14 @@ void Reach::renew() {
   reached_ = {};
 }
 
-void Reach::recall(const Memory& memory) {
-  allowed_ = memory.allowed;
-  reached_ = memory.reached;
+void Reach::archive(Archive& archive) {
+  constexpr double any_strain = 1e3;
+  const auto range = [&](StrainRange& strains, double most) {
+    archive.number("a strain", strains.least, {-most, 0.0});
+    archive.number("a strain", strains.greatest, {0.0, most});
+  };
+  for (auto& family : allowed_) range(family, torn_strain);
+  for (auto& family : reached_) range(family, any_strain);
 }
 
 }  // namespace weaveform

@@ -13,6 +13,7 @@
 #include <array>
 
 #include "solver/element/strain_range.hpp"
+#include "solver/state/archive.hpp"
 
 namespace weaveform {
 
@@ -35,12 +36,7 @@ public:
   void renew();
   [[nodiscard]] const FamilyStrains& allowed() const { return allowed_; }
 
-  // What a checkpoint must keep.
-  struct Memory {
-    FamilyStrains allowed, reached;
-  };
-  [[nodiscard]] Memory memory() const { return {allowed_, reached_}; }
-  void recall(const Memory& memory);
+  void archive(Archive& archive);
 
 private:
   bool fixed_;

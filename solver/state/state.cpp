@@ -32,6 +32,15 @@ State initial_state(const PackedMesh& packed, const Mesh& mesh) {
   return state;
 }
 
+void archive_state(Archive& archive, State& state, double duration) {
+  constexpr std::int64_t most_steps = std::int64_t{1} << 53;
+  for (auto& component : state.position) archive.numbers("a position", component);
+  for (auto& component : state.velocity) archive.numbers("a velocity", component);
+  for (auto& component : state.force) archive.numbers("a force", component);
+  archive.number("a time", state.time, {0.0, duration});
+  archive.count("a number of steps", state.step, 0, most_steps);
+}
+
 std::vector<std::array<double, 3>> mesh_positions(const PackedMesh& packed, const State& state) {
   std::vector<std::array<double, 3>> result(packed.packed_of_mesh.size());
   for (std::size_t n = 0; n < result.size(); ++n)

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
 #include "mesher/mesh/mesh.hpp"
+#include "solver/state/archive.hpp"
 #include "solver/state/packed.hpp"
 
 namespace weaveform {
@@ -31,11 +33,13 @@ struct State {
   Components velocity;  // mm/s; half a step behind position (leapfrog)
   Components force;     // N; internal force on each node at `position`
   double time = 0.0;    // s
-  long step = 0;
+  std::int64_t step = 0;
 };
 
 // Nodes absent from the mesh stand where the node before them in the lattice starts, and never move.
 [[nodiscard]] State initial_state(const PackedMesh& packed, const Mesh& mesh);
+// Positions, velocities, forces, time (up to `duration`, s) and step.
+void archive_state(Archive& archive, State& state, double duration);
 [[nodiscard]] std::vector<std::array<double, 3>> mesh_positions(const PackedMesh& packed, const State& state);
 
 }  // namespace weaveform

@@ -117,7 +117,7 @@ public:
   Balance advance_and_balance() {
     const double internal = energy_(positions());
     advance();
-    return {kinetic_, internal, gravity_->external_work(), damping_, start_};
+    return {kinetic_, internal, gravity_->energy_flow().put_in, damping_, start_};
   }
 
   [[nodiscard]] std::vector<Vec3> positions() const { return mesh_positions(packed_, state_); }

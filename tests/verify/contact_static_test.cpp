@@ -7,10 +7,8 @@
 #include <deque>
 
 #include "solver/contact/contact.hpp"
-#include "solver/ply/critical_step.hpp"
-#include "solver/ply/energy.hpp"
+#include "solver/ply/ply.hpp"
 #include "tests/support/contact_scene.hpp"
-#include "tests/support/fabric_patch.hpp"
 
 namespace weaveform {
 namespace {
@@ -36,19 +34,12 @@ public:
   explicit NetOnSphere(const Scene& scene)
       : card_(load_card(scene.fabric.material)),
         mesh_(build_mesh(scene, card_)),
-        packed_(pack_mesh(mesh_)),
-        state_(initial_state(packed_, mesh_)),
-        laws_(yarn_laws(card_, scene.model)),
-        forces_(packed_, card_, laws_, scene.model, state_, alone()),
-        energy_(mesh_, card_, laws_, scene.model) {
-    std::vector<char> held(mesh_.node_count(), 0);
-    for (const auto& set : mesh_.sets)
-      if (set.name != "outline")
-        for (const int n : set.node) held[n] = 1;
+        scene_(scene),
+        ply_({.whole = mesh_, .scene = scene_, .card = card_, .team = alone()}) {
+    const std::vector<char> held = held_nodes(ply_.holds().grips(), mesh_, ply_.packed());
     for (int n = 0; n < mesh_.node_count(); ++n)
       if (held[n] == 0) free_.push_back(n);
-    const CriticalStep critical(mesh_, card_, laws_, scene.model, held);
-    const double step = critical(mesh_.nodes.position, critical.stiffest(every_strain)).step;
+    const double step = ply_.fabric_step();
     rate_ = contact_stiffness_share * 4.0 / (step * step);
     softening_ = contact_softening * card_.thickness;
   }
@@ -62,19 +53,18 @@ public:
 
   // mJ; fills the gradient (N) and the sphere's force downwards (N).
   double operator()(const VectorXd& x, VectorXd& gradient) {
-    auto position = mesh_.nodes.position;
+    State& state = ply_.state();
+    const auto& packed = ply_.packed().packed_of_mesh;
     for (std::size_t k = 0; k < free_.size(); ++k)
-      for (int c = 0; c < 3; ++c) position[free_[k]][c] = x[3 * static_cast<int>(k) + c];
-    for (int n = 0; n < mesh_.node_count(); ++n)
-      for (int c = 0; c < 3; ++c) state_.position[c][packed_.packed_of_mesh[n]] = position[n][c];
-    forces_.compute(state_);
-    double energy = energy_(position);
+      for (int c = 0; c < 3; ++c) state.position[c][packed[free_[k]]] = x[3 * static_cast<int>(k) + c];
+    ply_.compute_forces(0.0);
+    double energy = ply_.stored_energy().total;
     force_ = 0.0;
     gradient.resize(x.size());
     const Eigen::Vector3d centre(0.0, 0.0, radius + 0.5 * card_.thickness - depth);
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      const int p = packed_.packed_of_mesh[free_[k]], i = 3 * static_cast<int>(k);
-      for (int c = 0; c < 3; ++c) gradient[i + c] = -state_.force[c][p];
+      const int p = packed[free_[k]], i = 3 * static_cast<int>(k);
+      for (int c = 0; c < 3; ++c) gradient[i + c] = -state.force[c][p];
       const Eigen::Vector3d off = x.segment<3>(i) - centre;
       const double pressed = radius + 0.5 * card_.thickness - off.norm();
       if (pressed <= 0.0) continue;
@@ -93,11 +83,8 @@ public:
 private:
   Card card_;
   Mesh mesh_;
-  PackedMesh packed_;
-  State state_;
-  std::array<TangentLaw, 2> laws_;
-  FabricForces forces_;
-  InternalEnergy energy_;
+  Scene scene_;
+  Ply ply_;
   std::vector<int> free_;
   double rate_, softening_;  // 1/s^2, mm; of the contact springs
   double force_ = 0.0;

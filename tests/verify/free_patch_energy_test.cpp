@@ -5,11 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "solver/bending/lattice_bending.hpp"
-#include "solver/bending/shell.hpp"
-#include "solver/constraint/ties.hpp"
-#include "solver/ply/critical_step.hpp"
-#include "solver/ply/motion.hpp"
+#include "solver/ply/ply.hpp"
 #include "tests/support/fabric_patch.hpp"
 
 namespace weaveform {
@@ -17,33 +13,18 @@ namespace {
 
 using test::FabricPatch;
 
-// The time loop of Analysis without grips, tools and damping.
+// A ply alone in the time loop, without grips and damping.
 class FreePatch {
 public:
   FreePatch(const std::string& yarn, const std::string& cell, double step_factor, double viscosity)
-      : patch_("twintex-pw", 30.0, {40.0, 45.0}), scene_(with_elements(patch_.scene, yarn, cell)) {
-    laws_ = yarn_laws(patch_.card, scene_.model);
-    if (!patch_.mesh.tie.empty()) ties_ = std::make_unique<Ties>(patch_.mesh, patch_.packed);
+      : scene_(with_elements(yarn, cell)),
+        card_(load_card(scene_.fabric.material)),
+        mesh_(build_mesh(scene_, card_)),
+        ply_({.whole = mesh_, .scene = scene_, .card = card_, .team = alone()}) {
     throw_about();
-    const std::vector<char> free(patch_.mesh.node_count(), 0);
-    const CriticalStep critical(patch_.mesh, patch_.card, laws_, scene_.model, free);
-    const auto stiffest = critical.stiffest(every_strain);
-    const auto position = [&] { return mesh_positions(patch_.packed, patch_.state); };
-    const Flexure flexure = choose_flexure(patch_.card, scene_.model);
-    fabric_ = std::make_unique<FabricForces>(patch_.packed, patch_.card, laws_, scene_.model, patch_.state, alone());
-    if (flexure.bends_yarns || flexure.rotation_free)
-      term_.push_back(
-          std::make_unique<LatticeBending>(patch_.mesh, patch_.packed, flexure, free, patch_.state, alone()));
-    if (flexure.has_shell)
-      term_.push_back(std::make_unique<Shell>(patch_.mesh, patch_.packed, patch_.card, flexure, free, patch_.state,
-                                              Shell::Setup{critical(position(), stiffest).step, 0.0, alone()}));
-    std::vector<double> further(patch_.mesh.node_count(), 0.0);
-    for (const auto& term : term_) term->add_stiffness_bound(position(), 0.0, further);
-    const double stable = critical(position(), stiffest, further).step;
+    const double stable = ply_.renew_stable_step().step;
     step_ = step_factor * stable * (std::sqrt(1.0 + viscosity * viscosity) - viscosity);
-    fabric_->set_viscosity({viscosity * stable * stiffest[0], viscosity * stable * stiffest[1]});
-    motion_ = std::make_unique<Motion>(patch_.packed, 0.0, alone());
-    internal_ = std::make_unique<InternalEnergy>(patch_.mesh, patch_.card, laws_, scene_.model);
+    ply_.set_step(viscosity * stable, step_);
   }
 
   struct Energies {
@@ -56,62 +37,48 @@ public:
     Energies mean;
     int count = 0;
     for (int n = 0; n < steps; ++n) {
-      fabric_->compute(patch_.state);
-      for (const auto& term : term_) term->add_forces(patch_.state, step_);
-      if (ties_) ties_->give_forces(patch_.state);
+      ply_.compute_forces(step_);
       const bool look = n % every == 0;
-      const double stored = look ? stored_energy() : 0.0;
-      const double kinetic = motion_->advance(patch_.state, no_grips_, {}, {}, step_before_, step_).kinetic;
-      if (ties_) ties_->follow(patch_.state);
-      lost_ += 0.5 * (power_before_ + fabric_->viscous_power()) * step_before_;
-      power_before_ = fabric_->viscous_power();
+      const double stored = look ? ply_.stored_energy().total : 0.0;
+      ply_.advance(step_before_, step_, false);
       step_before_ = step_;
       if (!look) continue;
       ++count;
-      mean.kinetic += kinetic;
-      for (const auto& term : term_) mean.kinetic += term->kinetic_energy();
+      const EnergyFlow flow = ply_.energy_flow();
+      mean.kinetic += flow.kinetic;
       mean.stored += stored;
-      mean.lost += lost_;
+      mean.lost += flow.lost;
     }
     for (double* value : {&mean.kinetic, &mean.stored, &mean.lost}) *value /= count;
     return mean;
   }
 
 private:
-  static Scene with_elements(Scene scene, const std::string& yarn, const std::string& cell) {
+  static Scene with_elements(const std::string& yarn, const std::string& cell) {
+    Scene scene =
+        FabricPatch::make_scene("twintex-pw", 30.0, {40.0, 45.0}, "energy", "constant-volume", "incompressible");
     scene.model.yarn = yarn;
     scene.model.cell = cell;
     return scene;
-  }
-
-  [[nodiscard]] double stored_energy() {
-    double energy = (*internal_)(mesh_positions(patch_.packed, patch_.state));
-    for (const auto& term : term_) energy += term->stored_energy();
-    return energy;
   }
 
   // Ripples of a tenth of a cell out of the plane, and speeds of the order that a forming makes.
   void throw_about() {
     std::mt19937 generator(3);
     std::uniform_real_distribution<double> ripple(-0.5, 0.5), speed(-300.0, 300.0);
-    for (const int n : patch_.packed.packed_of_mesh)
+    for (const int n : ply_.packed().packed_of_mesh)
       for (int c = 0; c < 3; ++c) {
-        patch_.state.position[c][n] += (c == 2 ? 1.0 : 0.02) * ripple(generator);
-        patch_.state.velocity[c][n] = speed(generator);
+        ply_.state().position[c][n] += (c == 2 ? 1.0 : 0.02) * ripple(generator);
+        ply_.state().velocity[c][n] = speed(generator);
       }
-    if (ties_) ties_->follow(patch_.state);
+    ply_.follow();
   }
 
-  FabricPatch patch_;
   Scene scene_;
-  std::array<TangentLaw, 2> laws_;
-  std::unique_ptr<Ties> ties_;
-  std::unique_ptr<FabricForces> fabric_;
-  std::vector<std::unique_ptr<ForceTerm>> term_;
-  std::unique_ptr<Motion> motion_;
-  std::unique_ptr<InternalEnergy> internal_;
-  std::vector<Grip> no_grips_;
-  double step_ = 0.0, step_before_ = 0.0, lost_ = 0.0, power_before_ = 0.0;
+  Card card_;
+  Mesh mesh_;
+  Ply ply_;
+  double step_ = 0.0, step_before_ = 0.0;  // s
 };
 
 class EveryCombination : public testing::TestWithParam<std::tuple<std::string, std::string>> {};

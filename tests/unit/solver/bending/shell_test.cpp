@@ -85,18 +85,18 @@ TEST_P(ShellOf, ForcesAreMinusTheGradientsOfTheStoredEnergy) {
       double& x = p.patch.state.position[c][p.patch.packed.packed_of_mesh[n]];
       const double x0 = x;
       x = x0 + h;
-      double up = shell->stored_energy();
+      double up = shell->stored_energy().total;
       x = x0 - h;
-      double down = shell->stored_energy();
+      double down = shell->stored_energy().total;
       x = x0;
       EXPECT_NEAR(force[n][c], -(up - down) / (2.0 * h), 2e-6 * greatest);
       auto moved = directors;
       moved[n][c] += h;
       shell->set_directors(moved);
-      up = shell->stored_energy();
+      up = shell->stored_energy().total;
       moved[n][c] -= 2.0 * h;
       shell->set_directors(moved);
-      down = shell->stored_energy();
+      down = shell->stored_energy().total;
       shell->set_directors(directors);
       EXPECT_NEAR(director_force[n][c], -(up - down) / (2.0 * h), 2e-6 * greatest_director);
     }
@@ -162,13 +162,14 @@ TEST(Shell, AlternatingDirectorsCostEnergyAndAreCountedAsHourglass) {
     directors.push_back({(i + j) % 2 == 0 ? tilt : -tilt, 0.0, std::sqrt(1.0 - tilt * tilt)});
   }
   shell->set_directors(directors);
-  EXPECT_GT(shell->hourglass_energy(), 0.0);
+  EXPECT_GT(shell->stored_energy().hourglass, 0.0);
   // every warp edge turns by 2 tilt: curvature 2 tilt/h over the area, and all of it alternates from row to row
   double area = 0.0;
   for (const auto& cell : find_twist_cells(p.patch.mesh)) area += cell.area;
   const double curvature = 2.0 * tilt / p.patch.mesh.spacing[0];
-  EXPECT_NEAR(shell->hourglass_energy(), 0.5 * 8.0 / p.patch.card.yarn[0].interval * curvature * curvature * area,
-              1e-3 * shell->hourglass_energy());  // tilt^2/3 of the series
+  EXPECT_NEAR(shell->stored_energy().hourglass,
+              0.5 * 8.0 / p.patch.card.yarn[0].interval * curvature * curvature * area,
+              1e-3 * shell->stored_energy().hourglass);  // tilt^2/3 of the series
 }
 
 // A free director with a speed turns uniformly along a great circle for ever.

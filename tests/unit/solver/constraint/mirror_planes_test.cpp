@@ -6,10 +6,7 @@
 #include <cmath>
 
 #include "mesher/symmetry/cut_part.hpp"
-#include "solver/bending/flexure.hpp"
-#include "solver/bending/lattice_bending.hpp"
-#include "solver/constraint/ties.hpp"
-#include "solver/ply/critical_step.hpp"
+#include "solver/ply/ply.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/fabric_patch.hpp"
 
@@ -34,44 +31,24 @@ Vec3 shaped(const Vec3& x) {
 }
 
 struct Moved {
-  PackedMesh packed;
-  std::unique_ptr<MirrorPlanes> mirrors;
-  std::unique_ptr<Ties> ties;
-  State state;
-  std::unique_ptr<LatticeBending> bending;
-  std::vector<double> bound;
+  std::unique_ptr<Ply> ply;
 
-  Moved(const Mesh& mesh, const Scene& scene, const Card& card) : packed(pack_mesh(mesh)) {
-    ties = std::make_unique<Ties>(mesh, packed);
-    if (!mesh.symmetry.plane.empty()) mirrors = std::make_unique<MirrorPlanes>(mesh, packed);
-    state = initial_state(packed, mesh);
-    FabricForces fabric(packed, card, yarn_laws(card, scene.model), scene.model, state, alone());
+  Moved(const Mesh& whole, const SymmetricPart* part, const Scene& scene, const Card& card)
+      : ply(std::make_unique<Ply>(
+            PlySetup{.whole = whole, .part = part, .scene = scene, .card = card, .team = alone()})) {
+    const Mesh& mesh = ply->mesh();
     for (int n = 0; n < mesh.node_count(); ++n) {
       const Vec3 x = shaped(mesh.nodes.position[n]);
-      for (int c = 0; c < 3; ++c) state.position[c][packed.packed_of_mesh[n]] = x[c];
+      for (int c = 0; c < 3; ++c) ply->state().position[c][ply->packed().packed_of_mesh[n]] = x[c];
     }
-    if (mirrors) mirrors->follow(state);
-    ties->follow(state);
-    if (mirrors) mirrors->follow(state);
-    fabric.compute(state);
-    const Flexure flexure = choose_flexure(card, scene.model);
-    if (flexure.bends_yarns || flexure.rotation_free) {
-      const std::vector<char> held(mesh.node_count(), 0);
-      bending = std::make_unique<LatticeBending>(mesh, packed, flexure, held, state, alone());
-      bending->add_forces(state, 0.0);
-      bound.assign(mesh.node_count(), 0.0);
-      bending->add_stiffness_bound(mesh_positions(packed, state), 0.0, bound);
-    }
-    if (mirrors) mirrors->give_forces(state);
-    ties->give_forces(state);
-    if (mirrors) mirrors->give_forces(state);
-    if (mirrors) mirrors->hold(state);
+    ply->follow();
+    ply->compute_forces(0.0);
   }
   [[nodiscard]] Vector3d force(int n) const {
-    const int p = packed.packed_of_mesh[n];
-    return {state.force[0][p], state.force[1][p], state.force[2][p]};
+    const int p = ply->packed().packed_of_mesh[n];
+    return {ply->state().force[0][p], ply->state().force[1][p], ply->state().force[2][p]};
   }
-  [[nodiscard]] double mass(int n) const { return packed.mass[packed.packed_of_mesh[n]]; }
+  [[nodiscard]] double mass(int n) const { return ply->packed().mass[ply->packed().packed_of_mesh[n]]; }
 };
 
 TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
@@ -106,7 +83,7 @@ TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
     const Mesh whole = build_mesh(scene, card);
     const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole), c.bending);
     const std::string name = std::to_string(c.yarn_angle) + " deg, phase " + std::to_string(c.phase[0]);
-    const Moved all(whole, scene, card), some(part.mesh, scene, card);
+    const Moved all(whole, nullptr, scene, card), some(whole, &part, scene, card);
 
     double greatest = 0.0;
     for (int n = 0; n < whole.node_count(); ++n) greatest = std::max(greatest, all.force(n).norm());
@@ -127,18 +104,13 @@ TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
       EXPECT_LT((some.force(n) - share * all.force(w)).norm(), 1e-11 * greatest) << name << ", node " << w;
     }
 
-    const auto step = [&](const Mesh& mesh, const Moved& moved) {
-      const CriticalStep critical(mesh, card, yarn_laws(card, scene.model), scene.model,
-                                  std::vector<char>(mesh.node_count(), 0));
-      return critical(mesh_positions(moved.packed, moved.state), critical.stiffest(every_strain), moved.bound).step;
-    };
     if (c.bending) {
-      const double energy = all.bending->stored_energy();
+      const double energy = all.ply->stored_energy().bending;
       EXPECT_GT(energy, 0.0);
-      EXPECT_NEAR(part.mesh.symmetry.parts() * some.bending->stored_energy(), energy, 1e-12 * energy) << name;
+      EXPECT_NEAR(part.mesh.symmetry.parts() * some.ply->stored_energy().bending, energy, 1e-12 * energy) << name;
     }
-    const double of_whole = step(whole, all);
-    EXPECT_NEAR(step(part.mesh, some), of_whole, 1e-10 * of_whole) << name;
+    const double of_whole = all.ply->renew_stable_step().step;
+    EXPECT_NEAR(some.ply->renew_stable_step().step, of_whole, 1e-10 * of_whole) << name;
   }
 }
 

@@ -51,7 +51,9 @@ TEST(Reach, AllowsWhatWasReachedSinceTheLastRenewalAndForgetsOlderStrains) {
 TEST(Reach, ACheckpointKeepsIt) {
   Reach reach(false), resumed(false);
   (void)reach.passed_by(both(-0.01, 0.03));
-  resumed.recall(reach.memory());
+  const std::string kept = state_bytes(reach);
+  StateReader reader(kept);
+  resumed.archive(reader);
   reach.renew();
   resumed.renew();
   EXPECT_EQ(resumed.allowed()[1].greatest, reach.allowed()[1].greatest);

@@ -1,0 +1,64 @@
+// What an analysis shows as it goes: rows of history and frames, each at its times. It looks at the world and changes
+// nothing there.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/analysis/recorder.hpp"
+#include "solver/analysis/schedule.hpp"
+#include "solver/analysis/world.hpp"
+#include "solver/result/history_file.hpp"
+#include "solver/result/result.hpp"
+
+namespace weaveform {
+
+class Outputs {
+public:
+  // Of the first ply of the world. An empty `directory` writes nothing.
+  Outputs(const Scene& scene, const World& world, std::filesystem::path directory);
+
+  // Begins the files, or goes on with them after an archive was read.
+  void open_files();
+
+  [[nodiscard]] bool due(double time) const { return row_schedule_.due(time) || frame_schedule_.due(time); }
+  // At a time that is due, before the step: fields of the moment, and the frame, if it is due. Returns whether one was
+  // written.
+  bool look(const World& world);
+  // After each step, which began at `time`: forces at its beginning.
+  void record_forces(World& world, double time);
+  [[nodiscard]] bool row_open() const { return row_open_; }
+  // After the step, when the energies of its beginning are known.
+  void close_row(const World& world);
+  // Rows that nothing will change any more go to the file.
+  void append_rows();
+  // The end of the run; history.csv is whole.
+  void finish();
+  // Also of a run that fails.
+  void write_history_file() const;
+  // Waits until the frames written are on the disk.
+  void settle();
+
+  [[nodiscard]] const Fields& fields() const { return fields_; }  // of the last look
+  [[nodiscard]] const History& history() const { return recorder_.history(); }
+  void archive(Archive& archive);
+
+private:
+  [[nodiscard]] ContactState whole_contact_state(const World& world) const;
+
+  const Scene& scene_;
+  const Ply& ply_;
+  std::filesystem::path directory_;
+  BlankPlane plane_;  // of the whole
+  Recorder recorder_;
+  Schedule row_schedule_, frame_schedule_;
+  std::unique_ptr<FrameWriter> frames_;
+  std::unique_ptr<HistoryFile> history_file_;
+  std::vector<double> frame_times_;  // s; of the frames written
+  Fields fields_;
+  bool row_open_ = false;
+};
+
+}  // namespace weaveform

@@ -1,0 +1,57 @@
+// Worlds from scenes in memory, made of the pieces that the analysis makes its own of.
+#pragma once
+
+#include <deque>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mesher/lattice/build.hpp"
+#include "mesher/scene/scene.hpp"
+#include "solver/analysis/world.hpp"
+
+namespace weaveform::test {
+
+// One ply for each scene, all in the world of the first: its analysis, output and tools.
+class SmallWorld {
+public:
+  explicit SmallWorld(const std::vector<Scene>& scenes, double longest_step = std::numeric_limits<double>::infinity(),
+                      int threads = 1)
+      : scenes_(scenes.begin(), scenes.end()), team_(threads), world_(make_setup(longest_step)) {}
+
+  World* operator->() { return &world_; }
+  World& operator*() { return world_; }
+
+  // `steps` of the loop that analysis.cpp goes through with observers in between.
+  void run(int steps) {
+    if (world_.steps() == 0) world_.start();
+    for (int n = 0; n < steps && !world_.finished(); ++n) {
+      if (world_.steps() % 500 == 0 && world_.steps() > 0) world_.renew_step();
+      world_.advance(false);
+      world_.compute_forces();
+      if (world_.passes_reach()) world_.renew_step();
+    }
+  }
+
+private:
+  WorldSetup make_setup(double longest_step) {
+    WorldSetup setup{
+        .plies = {}, .tools = {}, .scene = scenes_.front(), .loading = {}, .longest_step = longest_step, .team = team_};
+    for (const auto& scene : scenes_) {
+      cards_.push_back(load_card(scene.fabric.material));
+      meshes_.push_back(build_mesh(scene, cards_.back()));
+      setup.plies.push_back({.whole = meshes_.back(), .card = cards_.back(), .scene = scene});
+    }
+    setup.loading = choose_loading(scenes_.front(), cards_.front());
+    if (!scenes_.front().tools.empty()) setup.tools = make_tools(scenes_.front(), meshes_.front());
+    return setup;
+  }
+
+  std::deque<Scene> scenes_;
+  std::deque<Card> cards_;
+  std::deque<Mesh> meshes_;
+  Team team_;
+  World world_;
+};
+
+}  // namespace weaveform::test

@@ -1,0 +1,117 @@
+// Several plies in one world.
+#include "solver/analysis/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/contact_scene.hpp"
+#include "tests/support/small_world.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr double duration = 0.002;  // s
+
+Scene pulled(const std::string& material, double yarn_angle, double travel) {
+  Scene scene = test::contact_scene({80.0, 120.0}, 4.0);
+  scene.fabric.material = material;
+  scene.blank.yarn_angle = yarn_angle;
+  scene.analysis.duration = duration;
+  for (const char* edge : {"bottom", "top"}) {
+    GripSpec grip;
+    grip.name = grip.edge = edge;
+    grip.travel = grip.name == "top" ? travel : 0.0;
+    scene.grip.push_back(grip);
+  }
+  return scene;
+}
+
+// Steps that every one of the plies may take.
+constexpr double shared_step = 1e-7;  // s
+
+TEST(World, GivesPliesThatDoNotTouchTheBitsOfTheirSingleRuns) {
+  Scene beams = pulled("twintex-tw", 45.0, 4.0), shells = pulled("twintex-pw", 0.0, 1.0),
+        incremental = pulled("twintex-pw", 30.0, 3.0);
+  beams.model.yarn = "beam";
+  beams.model.formulation = "contravariant";
+  shells.model.cell = "shell";
+  incremental.model.formulation = "incremental";
+  const std::vector<Scene> scenes = {beams, shells, incremental};
+  test::SmallWorld together(scenes, shared_step);
+  together.run(1200);
+  EXPECT_EQ(together->step_set_by(), "longest step asked for");
+  double moved = 0.0;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    test::SmallWorld alone({scenes[k]}, shared_step);
+    alone.run(1200);
+    EXPECT_EQ(state_bytes(together->ply(k)), state_bytes(alone->ply(0))) << "ply " << k;
+    moved = std::max(moved, std::abs(alone->ply(0).holds().displacement().back()));
+  }
+  EXPECT_GT(moved, 0.001) << "nothing happened";
+}
+
+TEST(World, TakesTheStepOfThePlyThatNeedsTheShortest) {
+  const Scene coarse = pulled("twintex-pw", 0.0, 1.0);
+  Scene fine = coarse;
+  fine.blank.coarsening = {2.0, 2.0};
+  test::SmallWorld both({coarse, fine}), coarse_alone({coarse}), fine_alone({fine});
+  for (auto* world : {&both, &coarse_alone, &fine_alone}) (*world)->start();
+  EXPECT_EQ(both->step(), fine_alone->step());
+  EXPECT_LT(both->step(), coarse_alone->step());
+}
+
+TEST(World, EnergiesAreThoseOfItsPliesTogether) {
+  const Scene one = pulled("twintex-pw", 30.0, 3.0), other = pulled("twintex-tw", 45.0, 2.0);
+  test::SmallWorld together({one, other}, shared_step), first({one}, shared_step), second({other}, shared_step);
+  for (auto* world : {&together, &first, &second}) {
+    world->run(400);
+    (*world)->look_at_stored_energy();
+  }
+  EXPECT_GT(together->balance().external, 0.0);
+  EXPECT_EQ(together->balance().internal, first->balance().internal + second->balance().internal);
+  EXPECT_EQ(together->balance().kinetic, first->balance().kinetic + second->balance().kinetic);
+  EXPECT_EQ(together->balance().external, first->balance().external + second->balance().external);
+}
+
+// A plate goes down on two pieces that lie side by side.
+TEST(World, AToolFeelsAllPlies) {
+  Scene left = test::contact_scene({60.0, 60.0}, 4.0);
+  left.analysis.duration = duration;
+  ToolSpec below = test::make_tool_spec("a_base", "plane"), above = test::make_tool_spec("b_press", "plane");
+  above.axis = {0.0, 0.0, -1.0};
+  above.travel = 0.05;
+  const double half = 0.5 * load_card(left.fabric.material).thickness;
+  below.position = {0.0, 0.0, -half};
+  above.position = {0.0, 0.0, half};
+  left.tools = {below, above};
+  Scene right = left;
+  right.blank.position = {100.0, 0.0, 0.0};
+  right.blank.size = {80.0, 60.0};
+  test::SmallWorld both({left, right}, shared_step), left_alone({left}, shared_step), right_alone({right}, shared_step);
+  for (auto* world : {&both, &left_alone, &right_alone}) world->run(2000);
+  const auto force = [](test::SmallWorld& world) { return world->tools()->readings()[1].force; };
+  EXPECT_GT(force(left_alone), 0.0);
+  EXPECT_GT(force(right_alone), 0.0);
+  EXPECT_DOUBLE_EQ(force(both), force(left_alone) + force(right_alone));
+  EXPECT_EQ(state_bytes(both->ply(1)), state_bytes(right_alone->ply(0)));
+}
+
+TEST(World, GoesOnWithTheSameBitsAfterItsArchiveWasRead) {
+  Scene scene = test::drawing();
+  scene.model.cell = "shell";
+  scene.analysis.step_bound = "reached";
+  test::SmallWorld run({scene}), resumed({scene});
+  run.run(300);
+  const std::string kept = state_bytes(*run);
+  StateReader reader(kept);
+  resumed->archive(reader);
+  EXPECT_EQ(reader.left(), 0U);
+  EXPECT_EQ(state_bytes(*resumed), kept);
+  run.run(300);
+  resumed.run(300);
+  EXPECT_EQ(state_bytes(*resumed), state_bytes(*run));
+}
+
+}  // namespace
+}  // namespace weaveform
