@@ -1,5 +1,5 @@
 // A test file as the machine wrote it: lines about specimen and test (table_layout.hpp), delimited text with a heading,
-// perhaps a row of units, perhaps decimal commas, in any usual encoding (base/plain_text.hpp).
+// perhaps a row of units, perhaps decimal commas, in any usual encoding (core/log/plain_text.hpp).
 // Nothing is guessed silently: what cannot be read one way only is a complaint with file and line.
 #pragma once
 

@@ -69,7 +69,7 @@ void gather_grips(const Scene& scene, Gathered& model) {
   }
 }
 
-// The base stays, the pulled corner goes along the frame's diagonal, as the solver has it (motion/picture_frame.hpp).
+// The base stays, the pulled corner goes along the frame's diagonal, as the solver has it (solver/constraint/picture_frame.hpp).
 void gather_frame(const Scene& scene, const Mesh& mesh, Gathered& model) {
   if (!mesh.frame.present() || !scene.frame) return;
   const auto& corner = mesh.frame.corner;

@@ -9,7 +9,7 @@
 namespace weaveform {
 
 struct DxfAsked {
-  std::string unit;                 // of base/length_unit.hpp; "": the drawing's own, mm when it names none
+  std::string unit;                 // of core/keys/length_unit.hpp; "": the drawing's own, mm when it names none
   std::vector<std::string> layers;  // in any case of letters; none: all that are on
   double chord_tolerance = 0.01;    // mm
 };

@@ -51,7 +51,7 @@ struct FibreField {
 
 // How a structural mesh lies to the formed fabric.
 struct Onto {
-  std::string unit;                 // of its file, base/length_unit.hpp; "": mm, and asked about when out of proportion
+  std::string unit;                 // of its file, core/keys/length_unit.hpp; "": mm, and asked about when out of proportion
   Vec3 axis = {0.0, 0.0, 1.0};      // first it is turned about this axis through its origin
   double angle = 0.0;               // deg; by the right hand
   Vec3 position = {0.0, 0.0, 0.0};  // mm; then its origin is moved here, into the place it has in the scene

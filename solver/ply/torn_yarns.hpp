@@ -1,4 +1,4 @@
-// Yarns pulled further than their card allows (material/card.hpp).
+// Yarns pulled further than their card allows (fabric/card/card.hpp).
 //
 // A card limits the strain of its own law, but what breaks a yarn is the force: with model.yarn_stiffness_scale, or
 // another law than the card's, a yarn bears the same nominal stress s e^-e (s, where the section keeps constant) at

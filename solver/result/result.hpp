@@ -32,7 +32,7 @@ struct SolveStatistics {
   double time_s = 0.0;   // that the numbers below are of: duration_s when finished
   std::string program;   // its version line, with the commit
   std::string scene;     // the file that the run was given
-  std::string scene_digest, card_digest, mesh_digest;  // of values and of the contents of files (motion/identity.hpp)
+  std::string scene_digest, card_digest, mesh_digest;  // of values and of the contents of files (analysis/identity.hpp)
   int cells = 0, nodes = 0, yarns = 0;                 // of the whole blank, as in mesh.vtu
   std::string symmetry = "none";                       // "quarter", "half", or "none": the whole is solved
   int cells_solved = 0;  // the cells of that quarter or half, those cut by a mirror plane included
