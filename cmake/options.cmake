@@ -21,22 +21,11 @@ if(WEAVEFORM_COVERAGE)
   target_link_options(weaveform_options INTERFACE --coverage)
 endif()
 
+if(WEAVEFORM_SANITIZE OR WEAVEFORM_FUZZ OR WEAVEFORM_COVERAGE)
+  set(WEAVEFORM_INSTRUMENTED ON)
+endif()
+
 # Commands: argument parsers that run once, and take longer to optimise than to compile. Nothing is lost, for what they
 # call is compiled with the libraries.
 add_library(weaveform_runs_once INTERFACE)
 target_compile_options(weaveform_runs_once INTERFACE $<$<CONFIG:Release>:-O1>)
-
-# The inner loops alone are compiled for this machine, and told that no one reads errno or floating-point traps, without
-# which neither compiler vectorises square roots and selections. Nothing else is relaxed: NaN and the order of sums stay as
-# written. Called in the folder whose target has the files.
-function(weaveform_inner_loop)
-  set(options -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd)
-  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
-    # clang 14 leaves the gathering loops over the outline's few loose elements scalar; that is slower, not wrong
-    list(APPEND options -Wno-pass-failed)
-  endif()
-  if(WEAVEFORM_NATIVE)
-    list(APPEND options -march=native -mprefer-vector-width=512)
-  endif()
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}")
-endfunction()

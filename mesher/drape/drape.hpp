@@ -13,8 +13,7 @@ namespace weaveform {
 
 // Radii of the tool below this many cell sides are reported: there the chords of the net cut corners, and shear comes
 // out of nothing. On a cylinder of radius r, with the yarns at an angle b to its axis, the net of chords a has
-//   gamma = (a/r)^2 sin(2b)/12      (both helices' mean chords at a cell's centre; measured: the same to 2 % for r >= 2
-//   a)
+//   gamma = (a/r)^2 sin(2b)/12   (both helices' mean chords at a cell's centre; measured: the same to 2 % for r >= 2 a)
 // which is 0.53 deg at r = 3 a. Below r = a there is no bound: across a sharp bend of 45 deg chords shear by 19 deg
 // whatever their length, across one of 90 deg the net folds (docs/drape.md).
 inline constexpr double least_radius_in_cells = 3.0;

@@ -1,10 +1,10 @@
-// The analytic loops; compiled for the machine's own instruction set, so this file includes nothing whose inline code
-// other files share.
+// The analytic loops; compiled once for each instruction set (core/instructions), so this file includes nothing whose
+// inline code other files share.
 #include "mesher/tools/distance.hpp"
 
 #include <cmath>
 
-namespace weaveform {
+namespace weaveform::WEAVEFORM_SET {
 namespace {
 
 // Distance and normal in the half-plane; the normal's radial part as n_r / r, so that it needs no direction at r = 0.
@@ -57,8 +57,6 @@ bool face_distances(const Placement& place, double opening_radius, double fillet
   return least_square >= radius * radius;
 }
 
-}  // namespace
-
 void plane_distances(const Placement& place, const Coordinates& x, int count, Distances& out) {
   measure(place, x, count, out, [](double /*r2*/, double z) { return HalfPlane{z, 0.0, 1.0}; });
 }
@@ -105,4 +103,13 @@ void revolved_distances(const Placement& place, const Profile& profile, const Co
   });
 }
 
-}  // namespace weaveform
+}  // namespace
+
+extern const DistanceLoops distance_loops;
+const DistanceLoops distance_loops = {.plane_distances = plane_distances,
+                                      .sphere_distances = sphere_distances,
+                                      .cylinder_distances = cylinder_distances,
+                                      .ring_distances = ring_distances,
+                                      .revolved_distances = revolved_distances};
+
+}  // namespace weaveform::WEAVEFORM_SET

@@ -38,4 +38,13 @@ void ring_distances(const Placement& place, double opening_radius, double fillet
 void revolved_distances(const Placement& place, const Profile& profile, const Coordinates& x, int count,
                         Distances& out);
 
+// One compilation of the functions above (core/instructions/choose_loops.hpp).
+struct DistanceLoops {
+  decltype(&weaveform::plane_distances) plane_distances;
+  decltype(&weaveform::sphere_distances) sphere_distances;
+  decltype(&weaveform::cylinder_distances) cylinder_distances;
+  decltype(&weaveform::ring_distances) ring_distances;
+  decltype(&weaveform::revolved_distances) revolved_distances;
+};
+
 }  // namespace weaveform

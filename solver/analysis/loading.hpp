@@ -3,14 +3,16 @@
 // The loads of a fabric specimen are a few newtons, so inertia and damping forces of an explicit run show in them long
 // before they show in the energies. Both scale with how often the fabric's slowest wave, in-plane shear at the least
 // tangent of the card, crosses the blank during the run:
-//   tau = L / sqrt(C_min t / (area density)),  duration = crossings * tau * sqrt(max(1, 8 travel/L)),  damping = decays
-//   / duration.
+//   tau      = L / sqrt(C_min t / (area density))
+//   duration = crossings * tau * sqrt(max(1, 8 travel/L))
+//   damping  = decays / duration
 // The two constants were chosen from measured load errors (docs/theory.md, "Loading speed and damping").
 //
 // Where only its own weight moves the fabric, it is to come to rest: with omega the slowest sway of the blank's length
 // as a cantilever, stiff (beam, 1.875^4 = 12.36) or limp (hanging chain, (2.405/2)^2 = 1.446),
-//   omega^2 = max(12.36 D/(area density L^4), 1.446 g/L) ,  damping = 2 omega (critical) ,  duration = settling / omega
-//   ,
+//   omega^2  = max(12.36 D/(area density L^4), 1.446 g/L)
+//   damping  = 2 omega (critical)
+//   duration = settling / omega ,
 // which leaves (1 + 12) exp(-12) = 1e-4 of the way.
 #pragma once
 

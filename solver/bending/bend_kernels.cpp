@@ -1,6 +1,6 @@
 #include "solver/bending/bend_kernels.hpp"
 
-namespace weaveform {
+namespace weaveform::WEAVEFORM_SET {
 namespace {
 
 constexpr double least_square = 1e-30;  // mm^2; keeps an absent element's tangent finite
@@ -165,8 +165,6 @@ BendKernels shaped_kernels(bool isotropic) {
   return {&bend_row<false, Flexure>, &loose_bends<false, Flexure>};
 }
 
-}  // namespace
-
 BendKernels bend_kernels(bool curved, bool isotropic) {
   return curved ? shaped_kernels<CurvedFlexure>(isotropic) : shaped_kernels<ConstantFlexure>(isotropic);
 }
@@ -213,4 +211,12 @@ void twist_assemble(const double* a, const double* d, const double* e, const dou
     force[i] += (a[i] + d[i]) - (a[i - 1] + e[i - 1]) + (below_e[i] - below_a[i]) + (below_a[i - 1] - below_d[i - 1]);
 }
 
-}  // namespace weaveform
+}  // namespace
+
+extern const BendLoops bend_loops;
+const BendLoops bend_loops = {.bend_kernels = bend_kernels,
+                              .twist_row = twist_row,
+                              .bend_assemble = bend_assemble,
+                              .twist_assemble = twist_assemble};
+
+}  // namespace weaveform::WEAVEFORM_SET

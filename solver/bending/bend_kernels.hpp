@@ -1,6 +1,6 @@
 // The inner loops of bending: crossings begin <= i < end of one row, cells of one row, and loose bends one by one.
-// Compiled for the machine's own instruction set (this file's source alone; it must include nothing whose inline code
-// other files share).
+// Compiled once for each instruction set (core/instructions), each compilation for itself: it must include nothing whose
+// inline code other files share.
 #pragma once
 
 #include "solver/bending/yarn_bend.hpp"
@@ -59,5 +59,13 @@ void bend_assemble(const double* centre, const double* warp_after, const double*
 // f[i] += (a + d)[i] + (-a - e)[i-1] of the cells above, (-a + e)[i] + (a - d)[i-1] of those below
 void twist_assemble(const double* a, const double* d, const double* e, const double* below_a, const double* below_d,
                     const double* below_e, double* force, int begin, int end);
+
+// One compilation of the functions above (core/instructions/choose_loops.hpp).
+struct BendLoops {
+  decltype(&weaveform::bend_kernels) bend_kernels;
+  decltype(&weaveform::twist_row) twist_row;
+  decltype(&weaveform::bend_assemble) bend_assemble;
+  decltype(&weaveform::twist_assemble) twist_assemble;
+};
 
 }  // namespace weaveform

@@ -1,6 +1,6 @@
 #include "solver/bending/shell_kernels.hpp"
 
-namespace weaveform {
+namespace weaveform::WEAVEFORM_SET {
 namespace {
 
 struct EdgeResult {
@@ -85,8 +85,6 @@ void loose_edges(const void* moment_pointer, const LooseEdgeView& view, const do
     store(out, k, edge(moment, e, da, db, edges.yarns[k], edges.inverse_rest[k], edges.shear_stiffness[k]));
   }
 }
-
-}  // namespace
 
 EdgeKernels edge_kernels(bool curved) {
   if (curved) return {&edge_row<CurvedMoment>, &loose_edges<CurvedMoment>};
@@ -198,4 +196,14 @@ void kick_directors(const double* const (&directors)[3], double* const (&velocit
   for (int k = 0; k < 8; ++k) sums[k] += lane[k];
 }
 
-}  // namespace weaveform
+}  // namespace
+
+extern const ShellLoops shell_loops;
+const ShellLoops shell_loops = {.edge_kernels = edge_kernels,
+                                .shell_twist_row = shell_twist_row,
+                                .shell_position_assemble = shell_position_assemble,
+                                .shell_director_assemble = shell_director_assemble,
+                                .drift_directors = drift_directors,
+                                .kick_directors = kick_directors};
+
+}  // namespace weaveform::WEAVEFORM_SET

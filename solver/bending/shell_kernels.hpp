@@ -1,6 +1,6 @@
 // The inner loops of shell cells: edges and cells of one row, loose edges, and the motion of the directors. Compiled
-// for the machine's own instruction set (this file's source alone; it must include nothing whose inline code other
-// files share).
+// once for each instruction set (core/instructions), each compilation for itself: it must include nothing whose inline
+// code other files share.
 #pragma once
 
 #include "solver/bending/shell_edge.hpp"
@@ -63,5 +63,15 @@ void drift_directors(double* const (&d)[3], double* const (&v)[3], double time, 
 void kick_directors(const double* const (&d)[3], double* const (&v)[3], const double* const (&force)[3],
                     const double* inertia, const double* inverse_inertia, double keep, double kick, int begin, int end,
                     double* sums);
+
+// One compilation of the functions above (core/instructions/choose_loops.hpp).
+struct ShellLoops {
+  decltype(&weaveform::edge_kernels) edge_kernels;
+  decltype(&weaveform::shell_twist_row) shell_twist_row;
+  decltype(&weaveform::shell_position_assemble) shell_position_assemble;
+  decltype(&weaveform::shell_director_assemble) shell_director_assemble;
+  decltype(&weaveform::drift_directors) drift_directors;
+  decltype(&weaveform::kick_directors) kick_directors;
+};
 
 }  // namespace weaveform

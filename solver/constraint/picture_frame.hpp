@@ -1,12 +1,11 @@
 // The shear frame (paper, Fig. 4; Eqs. 12 and 13) in the analysis: the yarns' arms end on four pinned members.
 //
-//   rigid       members keep their length exactly: a mechanism of one freedom, the travel d of the pulled corner. With
-//   half
-//               the pulled diagonal h = (sqrt(2) L_F + d)/2 the side corners stand at +-w, w = sqrt(L_F^2 - h^2). The
-//               load is the generalised force of d, F = sum of R_i . dx_i/dd over the tied nodes.
+//   rigid       members keep their length exactly: a mechanism of one freedom, the travel d of the pulled corner.
+//               With half the pulled diagonal h = (sqrt(2) L_F + d)/2 the side corners stand at +-w,
+//               w = sqrt(L_F^2 - h^2). The load is the generalised force of d, F = sum of R_i . dx_i/dd over the
+//               tied nodes.
 //   deformable  members are trusses between the corners; tied ends share their force and mass with the member's two
-//   corners
-//               (1 - share, share). The base corner is held and the pulled one moved.
+//               corners (1 - share, share). The base corner is held and the pulled one moved.
 #pragma once
 
 #include <array>

@@ -26,8 +26,8 @@ private:
 };
 
 // What the tied node's stiffness adds to its two nodes' bounds: |u|^2 <= first |u_a|^2 + second |u_b|^2.
-//   0 <= s <= 1 (convex)  first = 1 - s, second = s        s < 0, l = -s (Cauchy)  first = (1+2l)(1+l), second = (1+2l)
-//   l
+//   0 <= s <= 1   first = 1 - s,              second = s            (convex)
+//   s < 0         first = (1 + 2l)(1 + l),    second = (1 + 2l) l   (Cauchy), l = -s
 struct TieWeights {
   double first = 0.0, second = 0.0;
 };

@@ -1,9 +1,9 @@
-// Compiled for the machine's own instruction set; includes nothing whose inline code other files share.
+// Compiled once for each instruction set (core/instructions); includes nothing whose inline code other files share.
 #include "solver/contact/contact_kernel.hpp"
 
 #include <cmath>
 
-namespace weaveform {
+namespace weaveform::WEAVEFORM_SET {
 namespace {
 
 struct Contribution {
@@ -51,8 +51,6 @@ struct Contribution {
   out.damping_work = time * (normal - elastic) * approach;
   return out;
 }
-
-}  // namespace
 
 ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_given, const Distances& distances,
                            double time, const ContactNodes& nodes_given) {
@@ -123,4 +121,12 @@ double greatest_speed(const std::array<double, 3>& reference, const ContactNodes
   return std::sqrt(greatest);
 }
 
-}  // namespace weaveform
+}  // namespace
+
+extern const ContactLoops contact_loops;
+const ContactLoops contact_loops = {.contact_forces = contact_forces,
+                                    .reset_anchors = reset_anchors,
+                                    .least_gap = least_gap,
+                                    .greatest_speed = greatest_speed};
+
+}  // namespace weaveform::WEAVEFORM_SET

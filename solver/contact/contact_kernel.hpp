@@ -64,4 +64,12 @@ void reset_anchors(const ContactTool& tool, const ContactNodes& nodes);
 // mm/s; greatest |v - reference| of the nodes that exist.
 [[nodiscard]] double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes);
 
+// One compilation of the functions above (core/instructions/choose_loops.hpp).
+struct ContactLoops {
+  decltype(&weaveform::contact_forces) contact_forces;
+  decltype(&weaveform::reset_anchors) reset_anchors;
+  decltype(&weaveform::least_gap) least_gap;
+  decltype(&weaveform::greatest_speed) greatest_speed;
+};
+
 }  // namespace weaveform

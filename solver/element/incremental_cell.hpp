@@ -14,9 +14,8 @@
 // Frames:
 //   incremental   the Green-Naghdi frame of Fig. 2: G = E U, U = sqrt(G^T G) (2 x 2, closed form).
 //   side_frame    e_1 along the element's side (Belytschko & Tsay 1984; LS-DYNA type 2): the element integrates strain
-//   and
-//                 keeps stress in the frame of its side, while the user subroutine takes the angles a and th from F as
-//                 Eq. 4 has them, in the Green-Naghdi frame it believes to be in. The two part as the cell shears.
+//                 and keeps stress in the frame of its side, while the user subroutine takes the angles a and th from F
+//                 as Eq. 4 has them, in the Green-Naghdi frame it believes to be in. The two part as the cell shears.
 #pragma once
 
 #include <cmath>

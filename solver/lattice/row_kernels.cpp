@@ -2,7 +2,7 @@
 
 #include "solver/state/packed.hpp"
 
-namespace weaveform {
+namespace weaveform::WEAVEFORM_SET {
 namespace {
 
 // The least and greatest (L/L0)^2 of this yarn and those before it, now and ahead; padding has no section and does not
@@ -233,8 +233,6 @@ YarnKernels shaped_yarn_kernels(bool paper) {
   return {&yarn_row<section, GeneralLaw>, &loose_yarns<section, GeneralLaw>};
 }
 
-}  // namespace
-
 YarnKernels yarn_kernels(Section section, bool paper) {
   return section == Section::incompressible ? shaped_yarn_kernels<Section::incompressible>(paper)
                                             : shaped_yarn_kernels<Section::constant>(paper);
@@ -299,4 +297,14 @@ void advance(const double* inverse_mass, const double* mass, const double* force
   for (int l = 0; l < lanes; ++l) sums[l] += lane[l];
 }
 
-}  // namespace weaveform
+}  // namespace
+
+extern const RowLoops row_loops;
+const RowLoops row_loops = {.yarn_kernels = yarn_kernels,
+                            .cell_kernels = cell_kernels,
+                            .history_cell_kernels = history_cell_kernels,
+                            .assemble_row = assemble_row,
+                            .carry_row = carry_row,
+                            .advance = advance};
+
+}  // namespace weaveform::WEAVEFORM_SET

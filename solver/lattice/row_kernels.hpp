@@ -1,5 +1,5 @@
-// The inner loop: elements begin <= i < end of one row. Compiled for the machine's own instruction set (this file's
-// source alone; it must include nothing whose inline code other files share).
+// The inner loop: elements begin <= i < end of one row. Compiled once for each instruction set
+// (core/instructions), each compilation for itself: it must include nothing whose inline code other files share.
 #pragma once
 
 #include "solver/element/incremental_cell.hpp"
@@ -98,5 +98,15 @@ void carry_row(const double* across, const double* p, const double* q, double* c
 // and, into `sums`, m v0^2 with v0 = (v- + v+)/2, in eight fixed lanes.
 void advance(const double* inverse_mass, const double* mass, const double* force, double* velocity, double* position,
              double keep, double kick, double drift, int begin, int end, double* sums);
+
+// One compilation of the functions above (core/instructions/choose_loops.hpp).
+struct RowLoops {
+  decltype(&weaveform::yarn_kernels) yarn_kernels;
+  decltype(&weaveform::cell_kernels) cell_kernels;
+  decltype(&weaveform::history_cell_kernels) history_cell_kernels;
+  decltype(&weaveform::assemble_row) assemble_row;
+  decltype(&weaveform::carry_row) carry_row;
+  decltype(&weaveform::advance) advance;
+};
 
 }  // namespace weaveform

@@ -2,8 +2,7 @@
 // strains allowed to them (reach.hpp).
 //
 // Central difference is stable for step <= 2 / sqrt(lambda), lambda the greatest eigenvalue of M^-1 K. For yarns
-//   u.K u = sum_e k_e (n_e.(u_a - u_b))^2 <= sum_e 2 k_e ((n_e.u_a)^2 + (n_e.u_b)^2)     (factor 1 where one end is
-//   held)
+//   u.K u = sum_e k_e (n_e.(u_a - u_b))^2 <= sum_e 2 k_e ((n_e.u_a)^2 + (n_e.u_b)^2)   (factor 1 where an end is held)
 // so that lambda <= max_i 2 eigmax(B_i) / m_i with B_i = sum of k n n^T over the yarns at node i: a bound at every
 // shear angle, tight (4 K (1 + sin gamma)/m) on a regular lattice. Cells add their row sums (Gershgorin), tension its
 // N/L.

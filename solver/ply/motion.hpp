@@ -1,6 +1,6 @@
 // One leapfrog step of all nodes (central difference with velocities at half steps), grips included.
-//   v+ = ((1 - a k/2) v- + k f/m) / (1 + a k/2),   x+ = x + dt v+ ,   k = (dt_before + dt)/2, a the mass-proportional
-//   damping
+//   v+ = ((1 - a k/2) v- + k f/m) / (1 + a k/2)     k = (dt_before + dt)/2, a the mass-proportional damping
+//   x+ = x + dt v+
 #pragma once
 
 #include <vector>

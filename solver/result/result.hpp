@@ -80,9 +80,8 @@ struct SolveStatistics {
 //   thickness_mm, areal_weight_ratio  cells: their own; lines: mean of the cells beside it
 // Points carry displacement_mm, the field data TimeValue (s). With tools also:
 //   contact_tool, contact_count, contact_force_N, contact_gap_mm, friction_state   points (contact_state.hpp)
-//   contact_pressure_MPa, contact_share   cells: mean pressure of its nodes, share of them that touch a tool; lines:
-//   the
-//                                         same of their two nodes
+//   contact_pressure_MPa, contact_share   cells: mean pressure of its nodes, share of them that touch a tool;
+//                                         lines: the same of their two nodes
 //   tool_NAME    field data, one per tool: its number in contact_tool
 class FrameWriter {
 public:

@@ -12,6 +12,7 @@ set(ROBUST_SOURCES
   fuzz/geometry_targets.cpp
   fuzz/result_targets.cpp
   robust/include_direction_test.cpp
+  robust/instruction_sets_test.cpp
   robust/interrupted_test.cpp
   robust/nobody_let_in_test.cpp
   robust/killed_run_test.cpp

@@ -4,8 +4,7 @@
 // Across a border one family turns from the shear angle of one zone to that of the next. With B/h the bending stiffness
 // per width and G t the fabric's shear stiffness, the energy  1/2 (B/h) (gamma')^2 + 1/2 G t (gamma - gamma_zone)^2 has
 // gamma = gamma_zone +- (jump/2) exp(-s/l),  l = sqrt((B/h)/(G t)), and the steepest slope is jump/(2 l); between zones
-// of half width a, whose angles bending draws together too, the difference over the steepest slope is  2 l tanh(a/(2
-// l)).
+// of half width a, whose angles bending draws together too, the difference over the steepest slope is  2 l tanh(a/(2 l)).
 #include <gtest/gtest.h>
 
 #include <cmath>

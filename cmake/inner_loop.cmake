@@ -1,0 +1,59 @@
+# The inner loops alone are told that no one reads errno or floating-point traps, without which neither compiler
+# vectorises square roots and selections. Nothing else is relaxed: NaN and the order of sums stay as written.
+#
+# On x86-64 each of their files is compiled three times, into a namespace named by WEAVEFORM_SET, and one of the three is
+# chosen when the program runs (core/instructions): for every processor of the architecture, for those with AVX2 (2013)
+# and for those with AVX-512. What is listed here is what core/instructions/instructions.cpp asks the processor for. The
+# rest of the program runs anywhere. Elsewhere, and with WEAVEFORM_NATIVE, they are compiled once.
+set(inner_loop_flags -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  # clang 14 leaves the gathering loops over the outline's few loose elements scalar; that is slower, not wrong
+  list(APPEND inner_loop_flags -Wno-pass-failed)
+endif()
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT WEAVEFORM_NATIVE)
+  set(WEAVEFORM_SETS sse2 avx2 avx512)
+  set(avx2_flags -mavx2 -mfma -mbmi -mbmi2)
+  set(inner_loop_sse2)
+  set(inner_loop_avx2 ${avx2_flags} -mtune=haswell)
+  set(inner_loop_avx512 ${avx2_flags} -mavx512f -mavx512cd -mavx512bw -mavx512dq -mavx512vl
+    -mtune=icelake-server -mprefer-vector-width=512)
+  set(WEAVEFORM_SETS_DEFINITION WEAVEFORM_SEVERAL_SETS)
+else()
+  set(WEAVEFORM_SETS only)
+  set(inner_loop_only)
+  if(WEAVEFORM_NATIVE)
+    set(inner_loop_only -march=native -mprefer-vector-width=512)
+  endif()
+  set(WEAVEFORM_SETS_DEFINITION WEAVEFORM_ONE_SET)
+endif()
+if(WEAVEFORM_NATIVE)
+  set(WEAVEFORM_ONLY_SET "native")
+else()
+  set(WEAVEFORM_ONLY_SET "${CMAKE_SYSTEM_PROCESSOR}")
+endif()
+
+# weaveform_inner_loop(TARGET LOOPS... CHOOSE FILES...): compiles LOOPS for each set, and FILES (once, for every
+# processor), which know between which sets to choose. A compilation that leaves code which the linker may take for other
+# files' too, as inline functions are, is refused: the others would then run it on processors that cannot.
+function(weaveform_inner_loop target)
+  cmake_parse_arguments(PARSE_ARGV 1 inner "" "" "LOOPS;CHOOSE")
+  set_property(SOURCE ${inner_CHOOSE} APPEND PROPERTY COMPILE_DEFINITIONS ${WEAVEFORM_SETS_DEFINITION})
+  target_sources(${target} PRIVATE ${inner_CHOOSE})
+  foreach(set IN LISTS WEAVEFORM_SETS)
+    set(loops ${target}_${set})
+    add_library(${loops} OBJECT ${inner_LOOPS})
+    target_link_libraries(${loops} PRIVATE weaveform_options weaveform_warnings)
+    target_compile_definitions(${loops} PRIVATE WEAVEFORM_SET=${set})
+    target_compile_options(${loops} PRIVATE ${inner_loop_flags} ${inner_loop_${set}})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${loops}>)
+    if(WEAVEFORM_SETS_DEFINITION STREQUAL WEAVEFORM_SEVERAL_SETS AND NOT WEAVEFORM_INSTRUMENTED)
+      set(proof ${CMAKE_CURRENT_BINARY_DIR}/${loops}.own_code)
+      add_custom_command(OUTPUT ${proof}
+        COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${loops}>" -DPROOF=${proof}
+          -P ${PROJECT_SOURCE_DIR}/cmake/own_code.cmake
+        DEPENDS ${loops} $<TARGET_OBJECTS:${loops}>
+        COMMENT "" VERBATIM)
+      target_sources(${target} PRIVATE ${proof})
+    endif()
+  endforeach()
+endfunction()
