@@ -63,7 +63,7 @@ Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& sc
                                                                               : options.checkpoint_file),
       clock_(scene.output.checkpoint_minutes),
       progress_("solve", options.quiet),
-      reach_(scene.analysis.step_bound == "stiffest"),
+      reach_(scene.analysis.step_bound == StepBound::stiffest),
       yarn_limits_(yarn_limits(card, scene.model)),
       displacement_(grips_.size(), 0.0),
       displacement_next_(grips_.size(), 0.0),

@@ -85,17 +85,17 @@ Checkpoint Analysis::checkpoint() const {
 }
 
 CheckpointSizes Analysis::checkpoint_sizes() const {
-  CheckpointSizes size{
-      .nodes = static_cast<std::size_t>(packed_.nodes),
-      .grips = grips_.size(),
-      .columns = recorder_.history().column.size(),
-      .rows = static_cast<std::size_t>(scene_.output.history) + 1,
-      .frames = static_cast<std::size_t>(scene_.output.frames) + 1,
-      .impulses = recorder_.impulses(),
-      .path_cells = static_cast<std::size_t>(scene_.model.formulation == "contravariant" ? mesh_.cells.size() : 0),
-      .fabric = forces_.memory().size(),
-      .term = {},
-      .duration = duration_};
+  CheckpointSizes size{.nodes = static_cast<std::size_t>(packed_.nodes),
+                       .grips = grips_.size(),
+                       .columns = recorder_.history().column.size(),
+                       .rows = static_cast<std::size_t>(scene_.output.history) + 1,
+                       .frames = static_cast<std::size_t>(scene_.output.frames) + 1,
+                       .impulses = recorder_.impulses(),
+                       .path_cells = static_cast<std::size_t>(
+                           scene_.model.formulation == Formulation::contravariant ? mesh_.cells.size() : 0),
+                       .fabric = forces_.memory().size(),
+                       .term = {},
+                       .duration = duration_};
   for (const auto& term : terms_) size.term.push_back(term->memory().size());
   return size;
 }

@@ -22,7 +22,8 @@ double dot(const Vec3& a, const Vec3& b) {
 }
 
 double stiffness_factor(const AnalysisSpec& analysis) {
-  return analysis.contact_stiffness.value_or(analysis.step_bound == "reached" ? contact_stiffness_reached : 1.0);
+  return analysis.contact_stiffness.value_or(analysis.step_bound == StepBound::reached ? contact_stiffness_reached
+                                                                                       : 1.0);
 }
 
 // A cell's area goes to its nodes in equal parts.

@@ -39,7 +39,7 @@ inline constexpr double contact_stiffness_share = 0.05;
 inline constexpr double contact_stiffness_reached = 0.5, tool_mass_reached = 4.0;
 // tonne; of a pushed tool whose mass the scene leaves open, from the blank's (mass scaling included).
 [[nodiscard]] inline double default_tool_mass(const AnalysisSpec& analysis, double blank_mass) {
-  return (analysis.step_bound == "reached" ? tool_mass_reached : 1.0) * blank_mass;
+  return (analysis.step_bound == StepBound::reached ? tool_mass_reached : 1.0) * blank_mass;
 }
 inline constexpr double contact_damping = 0.1;     // of critical, of a node on its contact spring
 inline constexpr double contact_softening = 0.02;  // of the thickness: the depth over which the normal force sets in

@@ -10,6 +10,7 @@
 #include "solver/constraint/ties.hpp"
 #include "solver/ply/critical_step.hpp"
 #include "solver/ply/motion.hpp"
+#include "tests/support/chosen.hpp"
 #include "tests/support/fabric_patch.hpp"
 
 namespace weaveform {
@@ -79,8 +80,8 @@ public:
 
 private:
   static Scene with_elements(Scene scene, const std::string& yarn, const std::string& cell) {
-    scene.model.yarn = yarn;
-    scene.model.cell = cell;
+    scene.model.yarn = test::chosen(yarn);
+    scene.model.cell = test::chosen(cell);
     return scene;
   }
 
