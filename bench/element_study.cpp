@@ -82,11 +82,11 @@ public:
     scene_.blank.size = {length, 0.5 * length};
     scene_.blank.yarn_angle = 0.0;
     scene_.blank.coarsening = {k, k};
-    if (element == "beam") scene_.model.yarn = "beam";
-    if (element == "rotation-free" || element == "shell") scene_.model.cell = element;
+    if (const auto yarn = choice_named<YarnElement>(element)) scene_.model.yarn = *yarn;
+    if (const auto cell = choice_named<CellElement>(element)) scene_.model.cell = *cell;
     GripSpec clamp;
     clamp.name = "clamp";
-    clamp.edge = "left";
+    clamp.edge = BlankEdge::left;
     scene_.grip.push_back(clamp);
     scene_.analysis.gravity = {0.0, 0.0, -9810.0};
     scene_.analysis.energy_limit = 1.0;  // too short for a balance

@@ -26,7 +26,7 @@ struct Lattice {
     const double side = cells * card.yarn[0].interval;
     scene.blank.size = {side, side};
     scene.blank.yarn_angle = yarn_angle;
-    scene.blank.fit = "none";
+    scene.blank.fit = LineFit::none;
     scene.model = model;
     mesh = build_mesh(scene, card);
     ply = std::make_unique<Ply>(PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = alone()});
@@ -48,7 +48,7 @@ void count(benchmark::State& bench, const Lattice& lattice) {
       benchmark::Counter(static_cast<double>(lattice.mesh.cells.size()), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void run(benchmark::State& bench, const std::string& formulation, double yarn_angle, Part part) {
+void run(benchmark::State& bench, Formulation formulation, double yarn_angle, Part part) {
   ModelSpec model;
   model.formulation = formulation;
   Lattice lattice(static_cast<int>(bench.range(0)), yarn_angle, model);
@@ -63,7 +63,7 @@ void run(benchmark::State& bench, const std::string& formulation, double yarn_an
 }
 
 // One whole step with everything that the scene's model adds, on the crumpled lattice.
-void elements(benchmark::State& bench, const std::string& yarn, const std::string& cell) {
+void elements(benchmark::State& bench, YarnElement yarn, CellElement cell) {
   ModelSpec model;
   model.yarn = yarn;
   model.cell = cell;
@@ -79,40 +79,60 @@ void elements(benchmark::State& bench, const std::string& yarn, const std::strin
 
 }  // namespace
 
-BENCHMARK_CAPTURE(run, step, "energy", 0.0, whole_step)->Arg(100)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run, forces, "energy", 0.0, forces_only)
+BENCHMARK_CAPTURE(run, step, Formulation::energy, 0.0, whole_step)
     ->Arg(100)
     ->Arg(400)
     ->Arg(1000)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run, motion, "energy", 0.0, motion_only)
+BENCHMARK_CAPTURE(run, forces, Formulation::energy, 0.0, forces_only)
     ->Arg(100)
     ->Arg(400)
     ->Arg(1000)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run, contravariant_step, "contravariant", 0.0, whole_step)->Arg(400)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run, incremental_step, "incremental", 0.0, whole_step)->Arg(400)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run, cut_at_45_deg_step, "energy", 45.0, whole_step)
+BENCHMARK_CAPTURE(run, motion, Formulation::energy, 0.0, motion_only)
+    ->Arg(100)
+    ->Arg(400)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, contravariant_step, Formulation::contravariant, 0.0, whole_step)
+    ->Arg(400)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, incremental_step, Formulation::incremental, 0.0, whole_step)
+    ->Arg(400)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run, cut_at_45_deg_step, Formulation::energy, 45.0, whole_step)
     ->Arg(30)
     ->Arg(100)
     ->Arg(400)
     ->Unit(benchmark::kMillisecond);
 
-BENCHMARK_CAPTURE(elements, truss_membrane, "truss", "membrane")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(elements, seatbelt_membrane, "seatbelt", "membrane")
+BENCHMARK_CAPTURE(elements, truss_membrane, YarnElement::truss, CellElement::membrane)
     ->Arg(50)
     ->Arg(200)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(elements, beam_membrane, "beam", "membrane")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(elements, truss_rotation_free, "truss", "rotation-free")
+BENCHMARK_CAPTURE(elements, seatbelt_membrane, YarnElement::seatbelt, CellElement::membrane)
     ->Arg(50)
     ->Arg(200)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(elements, beam_rotation_free, "beam", "rotation-free")
+BENCHMARK_CAPTURE(elements, beam_membrane, YarnElement::beam, CellElement::membrane)
     ->Arg(50)
     ->Arg(200)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(elements, truss_shell, "truss", "shell")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(elements, beam_shell, "beam", "shell")->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, truss_rotation_free, YarnElement::truss, CellElement::rotation_free)
+    ->Arg(50)
+    ->Arg(200)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, beam_rotation_free, YarnElement::beam, CellElement::rotation_free)
+    ->Arg(50)
+    ->Arg(200)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, truss_shell, YarnElement::truss, CellElement::shell)
+    ->Arg(50)
+    ->Arg(200)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(elements, beam_shell, YarnElement::beam, CellElement::shell)
+    ->Arg(50)
+    ->Arg(200)
+    ->Unit(benchmark::kMicrosecond);
 
 BENCHMARK_MAIN();

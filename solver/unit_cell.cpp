@@ -66,8 +66,8 @@ YarnDirections trellis_rate(double gamma, double turn) {
 
 // Of trellis shear, which bends nothing.
 ModelSpec in_plane(ModelSpec model) {
-  model.cell = "membrane";
-  if (model.yarn == "beam") model.yarn = "truss";
+  model.cell = CellElement::membrane;
+  if (model.yarn == YarnElement::beam) model.yarn = YarnElement::truss;
   return model;
 }
 

@@ -12,6 +12,7 @@
 #include "app/stages/output_folder.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/keys/nearest_name.hpp"
 #include "post/dic/readers/measurement.hpp"
 #include "post/dic/settings/settings_form.hpp"
 #include "post/dic/virtual/border.hpp"
@@ -96,15 +97,23 @@ void run_compare(const DicArguments& arguments) {
   log_line(fmt::format("written: {}", (output / "comparison.json").string()));
 }
 
+dic::MeasurementFormat written_format(const std::string& word) {
+  const auto format = choice_named<dic::MeasurementFormat>(word);
+  if (format == dic::MeasurementFormat::aramis || format == dic::MeasurementFormat::dice) return *format;
+  throw InputError(
+      fmt::format("--format is '{}'; it must be 'aramis' or 'dice'{}", word, did_you_mean(word, {"aramis", "dice"})));
+}
+
 void run_virtual(const DicArguments& arguments) {
   require_result(arguments);
+  const auto format = written_format(arguments.format);
   const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
   const fs::path output =
       arguments.output.empty() ? fs::path(arguments.result) / "virtual" : fs::path(arguments.output);
   const OutputFolder folder(
       claim_of(arguments, output, files_read(arguments, settings), {"stages/stage_*", "loads.csv", "settings.toml"}));
   log_warning(folder.trouble());
-  const auto made = dic::export_virtual(arguments.result, arguments.format, settings, output);
+  const auto made = dic::export_virtual(arguments.result, format, settings, output);
   if (arguments.quiet) return;
   log_line(fmt::format("{} stages of {} points: {}; what they need to be read: {}", made.files.size(), made.points,
                        (output / "stages").string(), made.settings.string()));

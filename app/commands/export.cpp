@@ -127,7 +127,7 @@ void require_use(const ExportArguments& arguments) {
 
 Onto onto_of(const ExportArguments& arguments) {
   Onto onto;
-  onto.unit = arguments.unit;
+  onto.unit = choice_named<LengthUnit>(arguments.unit);
   onto.within = arguments.within;
   if (!arguments.position.empty()) std::copy_n(arguments.position.begin(), 3, onto.position.begin());
   if (!arguments.rotation.empty()) {
@@ -234,7 +234,7 @@ void add_export_command(CLI::App& program) {
   command
       ->add_option("--unit", arguments->unit,
                    "Of that mesh: mm, cm, m, inch; left out: mm, and asked about when it is then out of proportion")
-      ->check(CLI::IsMember(length_units));
+      ->check(CLI::IsMember(choice_names<LengthUnit>()));
   command
       ->add_option("--rotation", arguments->rotation, "Turns that mesh about an axis through its origin: x,y,z,degrees")
       ->delimiter(',')

@@ -29,7 +29,7 @@ struct ImportArguments {
 // Tools whose shells stand in the mesh file become STL files beside the mesh.
 void keep_tools(const ForeignMesh& file, const fs::path& directory, Scene& scene) {
   for (auto& tool : scene.tools) {
-    if (tool.shape != "triangles") continue;
+    if (tool.shape != ToolShape::triangles) continue;
     const auto surface = tool_surface(file, tool.name);
     if (!surface) continue;
     const fs::path stl = fs::absolute(directory / (tool.name + ".stl"));

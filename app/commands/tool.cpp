@@ -15,6 +15,7 @@
 #include "app/stages/output_folder.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/keys/length_unit.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/surface_file.hpp"
 #include "mesher/tools/triangle_report.hpp"
@@ -74,7 +75,8 @@ void write_as_cad(const std::filesystem::path& file, const std::filesystem::path
 
 void look_at_tool(const ToolArguments& arguments) {
   const std::filesystem::path file = arguments.file, output = arguments.output;
-  FileSurface surface = read_surface(file, {millimetres_of(arguments.unit), arguments.chord_tolerance, ""});
+  FileSurface surface =
+      read_surface(file, {millimetres_in(choice_named<LengthUnit>(arguments.unit)), arguments.chord_tolerance, ""});
   const bool keeps_its_sense = surface_kind(file) == SurfaceKind::stl;
   if (!keeps_its_sense) surface.list = turned_alike(surface.list, {0.0, 0.0, 1e6});  // open ones look up
   print_answer(describe_surface(arguments, inspect(surface.list), surface));
@@ -86,7 +88,7 @@ void look_at_tool(const ToolArguments& arguments) {
   if (!is_cad_file(file))
     throw InputError(fmt::format("{}: {} holds triangles, which no CAD file is made of; end its name in .stl",
                                  output.string(), file.string()));
-  if (!arguments.unit.empty() && arguments.unit != "mm")
+  if (choice_named<LengthUnit>(arguments.unit).value_or(LengthUnit::mm) != LengthUnit::mm)
     throw InputError(fmt::format("{}: --unit does not convert CAD; end its name in .stl", output.string()));
   write_as_cad(file, output);
 }
@@ -102,7 +104,7 @@ void add_tool_command(CLI::App& program) {
   command->add_option("--chord-tolerance", arguments->chord_tolerance, "mm; of triangles made from CAD")
       ->capture_default_str();
   command->add_option("--unit", arguments->unit, "Of a file that names none (all but STEP and IGES); mm when left out")
-      ->check(CLI::IsMember({"mm", "cm", "m", "inch"}));
+      ->check(CLI::IsMember(choice_names<LengthUnit>()));
   command->add_option("-o,--output", arguments->output, "Write it as .stl, or CAD as .step or .brep");
   add_force_argument(*command, arguments->force);
   command->callback([arguments] { look_at_tool(*arguments); });

@@ -59,7 +59,7 @@ void check_bracket(const toml::table& table, const BorderSpec& spec, Complaints&
   if (!table.contains("holds") || !table.contains("fails")) return;
   if (spec.holds == spec.fails)
     complaints.add(*table.get("fails"), "'fails' is where 'holds' is; there is nothing between them to bisect");
-  if (spec.scale == "logarithmic" && !(spec.holds > 0.0 && spec.fails > 0.0))
+  if (spec.scale == BisectionScale::logarithmic && !(spec.holds > 0.0 && spec.fails > 0.0))
     complaints.add(table, "scale = \"logarithmic\" needs 'holds' and 'fails' > 0; use \"linear\"");
 }
 

@@ -17,7 +17,7 @@ double six_digits(double value) {
 }
 
 bool is_narrow(const BorderSpec& spec, double holds, double fails) {
-  if (spec.scale == "logarithmic") return std::abs(std::log(fails / holds)) <= spec.tolerance;
+  if (spec.scale == BisectionScale::logarithmic) return std::abs(std::log(fails / holds)) <= spec.tolerance;
   const double gap = std::abs(fails - holds);
   return gap <= spec.tolerance * std::max(std::abs(holds), std::abs(fails)) ||
          gap <= least_share * std::abs(spec.fails - spec.holds);
@@ -33,7 +33,7 @@ std::string no_border(const BorderSpec& spec, bool holds, bool fails) {
 }  // namespace
 
 double border_between(const BorderSpec& spec, double holds, double fails) {
-  if (spec.scale == "logarithmic") return std::sqrt(holds) * std::sqrt(fails);
+  if (spec.scale == BisectionScale::logarithmic) return std::sqrt(holds) * std::sqrt(fails);
   return 0.5 * (holds + fails);
 }
 

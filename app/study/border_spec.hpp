@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/choices.hpp"
 #include "core/keys/key_value.hpp"
 #include "core/keys/toml_document.hpp"
 
@@ -46,11 +47,11 @@ struct BorderCondition {
 };
 
 struct BorderSpec {
-  std::string key;               // scene key that is bisected
-  double holds = 0.0;            // where the method holds,
-  double fails = 0.0;            // and where it does not
-  double tolerance = 0.02;       // |fails − holds| over the greater of both; logarithmic: |ln(fails/holds)|
-  std::string scale = "linear";  // "linear" or "logarithmic": which middle halves the bracket
+  std::string key;          // scene key that is bisected
+  double holds = 0.0;       // where the method holds,
+  double fails = 0.0;       // and where it does not
+  double tolerance = 0.02;  // |fails − holds| over the greater of both; logarithmic: |ln(fails/holds)|
+  BisectionScale scale = BisectionScale::linear;  // which middle halves the bracket
   std::vector<BorderCondition> condition;
   toml::source_region where = {};
 };

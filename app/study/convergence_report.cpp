@@ -17,7 +17,7 @@ std::optional<double> size_of(const ConvergenceSpec& spec, const Row& row) {
   const Setting* setting = setting_of(row.one, spec.key);
   if (setting == nullptr || !setting->number || !row.outcome || row.outcome->exit_code != 0) return std::nullopt;
   if (spec.key == coarsening) return row.size;
-  return spec.finer == "larger" ? 1.0 / *setting->number : *setting->number;
+  return spec.finer == Finer::larger ? 1.0 / *setting->number : *setting->number;
 }
 
 // Groups that have the key at two values or more: a case alone is refined by nothing.

@@ -52,23 +52,24 @@ std::vector<ReferenceValue> values_at(const toml::table& table, bool names, Comp
 
 // Which tables each kind of reference takes, and what it needs.
 void check_tables(const toml::table& table, const WorkPrecisionSpec& spec, const Study& study, Complaints& complaints) {
-  const auto only_with = [&](const char* name, std::initializer_list<const char*> kinds, const char* hint) {
-    const bool fits = std::any_of(kinds.begin(), kinds.end(), [&](const char* kind) { return spec.reference == kind; });
+  const auto only_with = [&](const char* name, std::initializer_list<ErrorReference> kinds, const char* hint) {
+    const bool fits =
+        std::any_of(kinds.begin(), kinds.end(), [&](ErrorReference kind) { return spec.reference == kind; });
     if (table.contains(name) && !fits)
       complaints.add(*table.get(name), fmt::format("[work_precision.{}] has no meaning with reference = \"{}\"; {}",
-                                                   name, spec.reference, hint));
+                                                   name, name_of(spec.reference), hint));
   };
-  only_with("case", {"case"}, "set reference = \"case\"");
-  only_with("limit_of", {"limit"}, "set reference = \"limit\"");
-  only_with("value", {"value"}, "set reference = \"value\"");
-  only_with("uncertainty", {"case", "value"}, "a limit has its own; leave it out");
+  only_with("case", {ErrorReference::one_case}, "set reference = \"case\"");
+  only_with("limit_of", {ErrorReference::limit}, "set reference = \"limit\"");
+  only_with("value", {ErrorReference::value}, "set reference = \"value\"");
+  only_with("uncertainty", {ErrorReference::one_case, ErrorReference::value}, "a limit has its own; leave it out");
   const Variant& pick = study.reference.reference_case;
-  if (spec.reference == "case" && pick.settings.empty() && pick.series.empty())
+  if (spec.reference == ErrorReference::one_case && pick.settings.empty() && pick.series.empty())
     complaints.add(table, "reference = \"case\" needs [work_precision.case] with values of varied keys; add it");
-  if (spec.reference == "value" && study.reference.value.empty())
+  if (spec.reference == ErrorReference::value && study.reference.value.empty())
     complaints.add(table,
                    "reference = \"value\" needs [work_precision.value] with what each measure should be; add it");
-  if (spec.reference == "limit" && !study.convergence)
+  if (spec.reference == ErrorReference::limit && !study.convergence)
     complaints.add(table, "reference = \"limit\" needs [convergence]; add it, or set reference = \"case\"");
 }
 

@@ -147,8 +147,8 @@ References to_limit_of(const Study& study, const std::string& measure, const std
 std::vector<std::optional<Reference>> references(const Study& study, const std::string& measure,
                                                  const std::vector<ConvergenceOf>& convergence, const Table& table,
                                                  std::vector<std::string>& complaints) {
-  if (study.work_precision->reference == "case") return to_case(study, measure, table);
-  if (study.work_precision->reference == "value") return to_values(study, measure, table);
+  if (study.work_precision->reference == ErrorReference::one_case) return to_case(study, measure, table);
+  if (study.work_precision->reference == ErrorReference::value) return to_values(study, measure, table);
   if (study.reference.limit_of) return to_limit_of(study, measure, convergence, table, complaints);
   return to_own_limits(study.convergence->key, measure, convergence, table, complaints);
 }
@@ -164,7 +164,7 @@ void check_reference_measures(const Study& study, const std::vector<std::string>
     check(value.measure, value.where, "[work_precision.uncertainty]");
   for (const std::string& measure : study.work_precision->absolute)
     check(measure, study.work_precision_at, "[work_precision] absolute");
-  if (study.work_precision->reference == "value")
+  if (study.work_precision->reference == ErrorReference::value)
     for (const std::string& measure : charted)
       if (value_of(study.reference.value, measure) == nullptr)
         complaints.add(study.work_precision_at,

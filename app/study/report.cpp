@@ -70,7 +70,7 @@ Measures measures_of(const Study& study) {
   if (study.work_precision && !study.work_precision->measures.empty())
     measures.charted = study.work_precision->measures;
   // A limit is known only of what converges.
-  if (study.work_precision && study.work_precision->reference == "limit")
+  if (study.work_precision && study.work_precision->reference == ErrorReference::limit)
     add_missing(measures.converging, measures.charted);
   if (study.convergence) add_missing(measures.all, measures.converging);
   if (study.work_precision) {

@@ -31,8 +31,7 @@ const std::vector<Key<ConvergenceSpec>>& convergence_keys() {
                                   .doc = "varied scene key that refines; of `blank.coarsening` the spacing of the mesh "
                                          "as it was built counts, of any other key its number"}),
       key<&ConvergenceSpec::measures>({.name = "measures", .doc = "that converge; left out: all of the study"}),
-      key<&ConvergenceSpec::finer>(
-          {.name = "finer", .allowed = {"smaller", "larger"}, .doc = "which values of the key are finer"}),
+      key<&ConvergenceSpec::finer>({.name = "finer", .doc = "which values of the key are finer"}),
       key<&ConvergenceSpec::tolerance>({.name = "tolerance",
                                         .unit = "1",
                                         .limits = above(0, 1),
@@ -51,7 +50,6 @@ const std::vector<Key<WorkPrecisionSpec>>& work_precision_keys() {
           {.name = "measures", .doc = "one chart each; left out: all of [convergence], or of the study"}),
       key<&WorkPrecisionSpec::reference>(
           {.name = "reference",
-           .allowed = {"limit", "case", "value"},
            .doc = "what errors are relative to: the limit that [convergence] finds; the case that "
                   "[work_precision.case] picks; the numbers or other measures (closed forms) of "
                   "[work_precision.value]"}),
@@ -81,9 +79,8 @@ const std::vector<Key<BorderSpec>>& border_keys() {
                                    .limits = between(1e-4, 1),
                                    .doc = "how near they come: their distance over the greater of both; logarithmic: "
                                           "ln of their ratio"}),
-      key<&BorderSpec::scale>({.name = "scale",
-                               .allowed = {"linear", "logarithmic"},
-                               .doc = "tries their mean, or their geometric mean (when they are decades apart)"}),
+      key<&BorderSpec::scale>(
+          {.name = "scale", .doc = "tries their mean, or their geometric mean (when they are decades apart)"}),
   };
   return keys;
 }

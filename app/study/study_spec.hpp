@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/study/border_spec.hpp"
+#include "app/study/choices.hpp"
 #include "core/keys/toml_document.hpp"
 
 namespace weaveform::study {
@@ -44,7 +45,7 @@ struct StudyHead {
 struct ConvergenceSpec {
   std::string key;
   std::vector<std::string> measures;  // empty: those of the study
-  std::string finer = "smaller";      // "smaller" or "larger" values of the key are finer
+  Finer finer = Finer::smaller;       // values of the key
   double tolerance = 0.02;            // relative
   double greatest_order = 2.0;        // of the scheme
 };
@@ -59,8 +60,8 @@ struct ReferenceValue {
 
 struct WorkPrecisionSpec {
   std::vector<std::string> measures;  // empty: those of the study
-  // "limit": Richardson's, of [convergence]; "case": the one of [work_precision.case]; "value": [work_precision.value]
-  std::string reference = "limit";
+  // limit: Richardson's, of [convergence]; one_case: that of [work_precision.case]; value: [work_precision.value]
+  ErrorReference reference = ErrorReference::limit;
   std::vector<std::string> absolute = {};                 // measures whose error is absolute, in their own unit
   std::vector<double> within = {0.05, 0.02, 0.01};        // errors for which the cheapest case is told: relative,
   std::vector<double> within_absolute = {2.0, 1.0, 0.5};  // and of absolute measures in their unit

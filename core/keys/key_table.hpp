@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/keys/choice_value.hpp"
 #include "core/keys/key_info.hpp"
 #include "core/keys/key_value.hpp"
 #include "core/keys/nearest_name.hpp"
@@ -30,11 +31,12 @@ template <class Spec, class Value>
 Spec owner_of(Value Spec::*);
 }  // namespace detail
 
-// The row of a member: type, reader and writer follow from the member itself.
+// The row of a member: type, reader and writer follow from the member itself, and of a choice its words.
 template <auto member>
 [[nodiscard]] auto key(KeyRule rule) {
   using Spec = decltype(detail::owner_of(member));
   const auto words = type_words(Spec{}.*member);
+  if (rule.allowed.empty()) rule.allowed = allowed_words(Spec{}.*member);
   const auto type = rule.one_for_all ? "a number or " + words : words;
   return Key<Spec>{std::move(rule), type,
                    [](const toml::node& node, const KeyRule& about, Spec& spec, Complaints& complaints) {

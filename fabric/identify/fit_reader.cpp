@@ -212,8 +212,8 @@ bool rises(const std::array<double, 2>& range) {
 // Whether every law of the card has a source, measured or kept.
 void check_sources(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
   for (std::size_t f = 0; f < families.size(); ++f) {
-    const auto stands_for = [&](const TestSpec& test) { return test.yarn == families[f] || test.yarn == "both"; };
-    const auto tests = std::count_if(spec.tensile.begin(), spec.tensile.end(), stands_for);
+    const auto of_yarn = [&](const TestSpec& test) { return stands_for(test, f); };
+    const auto tests = std::count_if(spec.tensile.begin(), spec.tensile.end(), of_yarn);
     if (tests > 1)
       complaints.add(root, fmt::format("{} [[tensile]] stand for the {} yarn; put their files into one table", tests,
                                        families[f]));
@@ -224,9 +224,9 @@ void check_sources(const toml::table& root, const FitSpec& spec, Complaints& com
   }
   if (spec.shear_frame.empty() && spec.bias_extension.empty() && !spec.has_base)
     complaints.add(root, "nothing gives the shear law; add [[shear_frame]], [[bias_extension]] or a 'base' card");
-  if (spec.shear.from == "shear_frame" && spec.shear_frame.empty())
+  if (spec.shear.from == ShearSource::shear_frame && spec.shear_frame.empty())
     complaints.add(root, "[shear] takes the law 'from' the shear frame, but there is no [[shear_frame]]; add one");
-  if (spec.shear.from == "bias_extension" && spec.bias_extension.empty())
+  if (spec.shear.from == ShearSource::bias_extension && spec.bias_extension.empty())
     complaints.add(root,
                    "[shear] takes the law 'from' the bias extension, but there is no [[bias_extension]]; add one");
   if (!spec.head.thickness && !spec.has_base)

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/files/csv_format.hpp"
 #include "core/keys/key_info.hpp"
 #include "fabric/card/card_schema.hpp"
+#include "fabric/identify/choices.hpp"
 
 namespace weaveform::identify {
 
@@ -24,9 +26,10 @@ struct FitHead {
 
 // [shear]: how the shear law is made from the tests of shear.
 struct ShearFitSpec {
-  std::string from = "auto";  // which kind of test makes the card's law; auto: the frame if there is one
-  std::string form = "auto";  // "polynomial", "polynomial+start", "auto"
-  int degree = 4;             // of the stress polynomial
+  ShearSource from =
+      ShearSource::automatic;  // which kind of test makes the card's law; auto: the frame if there is one
+  FormAsked form = FormAsked::automatic;
+  int degree = 4;                               // of the stress polynomial
   std::optional<std::array<double, 2>> angles;  // deg; range of the frame tests that is fitted; none: what all reach
   std::array<double, 2> bias_angles = {0.0, 45.0};  // deg; the same of the bias extensions, kinematic angles
   double angle_step = 1.0;                          // deg; of the common grid
@@ -36,8 +39,8 @@ struct ShearFitSpec {
 struct TestSpec {
   std::string name;
   std::vector<std::string> files;  // relative to the fit file; one specimen each, unless specimen_column says otherwise
-  std::string delimiter = "auto";
-  std::string decimal = "auto";
+  Delimiter delimiter = Delimiter::automatic;
+  DecimalSign decimal = DecimalSign::automatic;
   int skip_lines = 0;
   std::string specimen_column;  // tells the specimens of one file apart; "" for one specimen per file
   bool trust_units = false;     // take implausible magnitudes as they are
@@ -50,16 +53,16 @@ struct TestSpec {
   double force_factor = 1.0;
 
   // [[tensile]]
-  std::string yarn = "both";  // "warp", "weft", "both"
+  TestedYarn yarn = TestedYarn::both;
   std::string strain_column;
   std::string strain_unit = "1";
   double strain_factor = 1.0;
-  std::string strain = "true";  // "true" or "engineering"
+  StrainKind strain = StrainKind::true_strain;
   std::string stress_column;
   std::string stress_unit = "MPa";
   double stress_factor = 1.0;
-  std::string stress = "true";         // the law's: "true", or "nominal" (force over the unstretched section)
-  std::optional<double> gauge_length;  // mm
+  StressKind stress = StressKind::true_stress;         // the law's; nominal: force over the unstretched section
+  std::optional<double> gauge_length;                  // mm
   std::optional<std::array<double, 2>> elastic_range;  // 1; true strain; none: found
 
   // [[shear_frame]]
@@ -76,6 +79,11 @@ struct TestSpec {
   std::optional<double> width;   // mm
   std::optional<double> length;  // mm
 };
+
+// Whether the specimens stand for the yarns of a family, 0 warp and 1 weft.
+[[nodiscard]] inline bool stands_for(const TestSpec& test, std::size_t family) {
+  return test.yarn == TestedYarn::both || (test.yarn == TestedYarn::weft) == (family == 1);
+}
 
 struct FitSpec {
   std::string file;  // where it was read from

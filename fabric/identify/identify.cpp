@@ -37,15 +37,15 @@ double section_of(const YarnFile& yarn) {
 void fit_yarns(Identification& found) {
   const FitSpec& spec = found.spec;
   for (const auto& test : spec.tensile) {
-    const std::size_t family = test.yarn == "weft" ? 1 : 0;
+    const std::size_t family = test.yarn == TestedYarn::weft ? 1 : 0;
     const double section = section_of(spec.yarn[family]);
-    if (test.yarn == "both" && section != section_of(spec.yarn[1]))
+    if (test.yarn == TestedYarn::both && section != section_of(spec.yarn[1]))
       throw InputError(
           fmt::format("{}: the test '{}' stands for both yarns, but their sections differ; give each its own "
                       "[[tensile]]",
                       spec.file, test.name));
     for (std::size_t f = 0; f < families.size(); ++f) {
-      if (test.yarn == families[f] || test.yarn == "both") found.yarn[f] = found.yarns.size();
+      if (stands_for(test, f)) found.yarn[f] = found.yarns.size();
     }
     found.yarns.push_back(fit_yarn(test, spec.file, section, spec.confidence()));
     const auto& warnings = found.yarns.back().warnings;
@@ -168,7 +168,7 @@ void compare_with_base(Identification& found) {
 }  // namespace
 
 bool Identification::shear_from_frame() const {
-  return frame.has_value() && spec.shear.from != "bias_extension";
+  return frame.has_value() && spec.shear.from != ShearSource::bias_extension;
 }
 
 const ShearFit* Identification::shear() const {

@@ -92,18 +92,17 @@ char guessed_delimiter(const std::vector<Line>& all) {
 }
 
 char delimiter_of(const TableFormat& format, const std::vector<Line>& lines) {
-  static const std::map<std::string, char> named = {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"space", ' '}};
-  const auto found = named.find(format.delimiter);
-  return found != named.end() ? found->second : guessed_delimiter(lines);
+  const auto given = character_of(format.delimiter);
+  return given ? *given : guessed_delimiter(lines);
 }
 
 bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTable& table) {
-  if (format.decimal == "comma" && delimiter == ',')
+  if (format.decimal == DecimalSign::comma && delimiter == ',')
     throw InputError(
         fmt::format("{}: the comma cannot be both delimiter and decimal sign; save the file with ';' "
                     "between columns, or correct 'delimiter' or 'decimal'",
                     table.file));
-  if (format.decimal != "auto") return format.decimal == "comma";
+  if (format.decimal != DecimalSign::automatic) return format.decimal == DecimalSign::comma;
   bool comma = false;
   if (delimiter == ',') {
     // in quotes a comma separates nothing; but three digits after it may be thousands

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "core/files/csv_format.hpp"
+
 namespace weaveform::identify {
 
 struct TableFormat {
-  std::string delimiter = "auto";  // "auto", "comma", "semicolon", "tab", "space"
-  std::string decimal = "auto";    // "auto", "point", "comma"
-  int skip_lines = 0;              // before the heading; lines that begin with '#' and blank ones never count
+  Delimiter delimiter = Delimiter::automatic;
+  DecimalSign decimal = DecimalSign::automatic;
+  int skip_lines = 0;  // before the heading; lines that begin with '#' and blank ones never count
 };
 
 struct RawTable {

@@ -74,7 +74,7 @@ double corrected_akaike(double misfit, double m, int parameters) {
   return m * std::log(misfit * misfit + 1e-300) + 2.0 * k + 2.0 * k * (k + 1.0) / (m - k - 1.0);
 }
 
-void compare_forms(ShearFit& fit, const std::string& form) {
+void compare_forms(ShearFit& fit, FormAsked form) {
   FormFit& plain = fit.polynomial;
   const FormFit& richer = fit.with_start ? *fit.with_start : plain;
   const auto residuals = mean_residuals(fit.specimens, richer.pooled.curve);
@@ -90,13 +90,13 @@ void compare_forms(ShearFit& fit, const std::string& form) {
   start.aicc = corrected_akaike(start.misfit, worth, start.form.parameters());
   const bool better = start.aicc < plain.aicc - clearly_better;
   const bool predicts = !start.left_out || *start.left_out <= *plain.left_out;
-  fit.start_chosen = form == "polynomial+start" || (better && predicts);
+  fit.start_chosen = form == FormAsked::polynomial_start || (better && predicts);
   const std::string numbers = fmt::format("AICc {:.1f} with the start, {:.1f} without", start.aicc, plain.aicc);
   const std::string left_out =
       start.left_out
           ? fmt::format("; error on a specimen left out {:.3g} with, {:.3g} without", *start.left_out, *plain.left_out)
           : "";
-  fit.reason = fmt::format("{}{} ({}{})", form == "auto" ? "" : "the form asked for; ",
+  fit.reason = fmt::format("{}{} ({}{})", form == FormAsked::automatic ? "" : "the form asked for; ",
                            better && predicts ? "the friction-like start describes the tests better"
                                               : "the friction-like start does not describe the tests better",
                            numbers, left_out);
@@ -239,11 +239,11 @@ std::vector<double> common_grid(const std::vector<ShearSpecimen>& specimens,
   return grid;
 }
 
-ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, const std::string& form, double confidence) {
+ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, FormAsked form, double confidence) {
   ShearFit fit;
   fit.specimens = std::move(specimens);
   fit.polynomial = fit_form(fit.specimens, {degree, false});
-  if (form != "polynomial") fit.with_start = fit_form(fit.specimens, {degree, true});
+  if (form != FormAsked::polynomial) fit.with_start = fit_form(fit.specimens, {degree, true});
   compare_forms(fit, form);
   tabulate_law(fit, confidence);
   warn_about(fit);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fabric/identify/choices.hpp"
 #include "fabric/identify/shear_curve.hpp"
 
 namespace weaveform::identify {
@@ -63,14 +64,13 @@ struct ShearFit {
 // more around it (which averages noise away), else interpolated between the neighbours.
 [[nodiscard]] double local_value(const std::vector<double>& x, const std::vector<double>& y, double at, double half);
 
-// Specimens with their grids filled. `form` is "polynomial", "polynomial+start" or "auto".
+// Specimens with their grids filled.
 //
 // The fit of the pooled specimens is the fit of their mean, because they share the grid. Specimens are the independent
 // units: at an angle the interval is Student's t over the specimens' own curves, which covers whatever correlation
 // there is within a curve; the band for the whole curve is the same with the confidence divided among the coefficients
 // (Bonferroni). One specimen alone has only its residuals: their covariance is widened by the correlation of
 // neighbours.
-[[nodiscard]] ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, const std::string& form,
-                                 double confidence);
+[[nodiscard]] ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, FormAsked form, double confidence);
 
 }  // namespace weaveform::identify

@@ -111,14 +111,14 @@ YarnSpecimen stress_strain(const Curve& curve, const TestSpec& test, double sect
   yarn.name = curve.specimen;
   yarn.notes = curve.notes;
   const bool machine = !test.displacement_column.empty();
-  const bool engineering = machine || test.strain == "engineering";
+  const bool engineering = machine || test.strain == StrainKind::engineering;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     const double stretch = curve.x[i] / (machine ? *test.gauge_length : 1.0);  // engineering strain, or true already
     const double strain = engineering ? std::log1p(stretch) : stretch;
     const double nominal = curve.y[i] / (machine ? section : 1.0);
     // Incompressible yarn: the section shrinks as the length grows, so s = F/A0 * L/L0.
     yarn.strain.push_back(strain);
-    yarn.stress.push_back(test.stress == "true" ? nominal * std::exp(strain) : nominal);
+    yarn.stress.push_back(test.stress == StressKind::true_stress ? nominal * std::exp(strain) : nominal);
   }
   return yarn;
 }
@@ -194,7 +194,7 @@ YarnFit fit_yarn(const TestSpec& test, const std::filesystem::path& fit_file, do
   YarnFit fit;
   fit.test = test.name;
   fit.section = section;
-  fit.true_stress = test.stress == "true";
+  fit.true_stress = test.stress == StressKind::true_stress;
   fit.range_given = test.elastic_range.has_value();
   std::vector<double> moduli;
   for (const auto& curve : load_curves(test, fit_file, x, y)) {

@@ -61,8 +61,7 @@ void gather_grips(const Scene& scene, Gathered& model) {
     const auto direction = turned(grip_direction(spec), scene.blank.orientation);
     Motion motion{spec.name, {}};
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::string axis(1, "xyz"[c]);
-      if (std::find(spec.free.begin(), spec.free.end(), axis) == spec.free.end())
+      if (std::find(spec.free.begin(), spec.free.end(), Component{static_cast<int>(c)}) == spec.free.end())
         motion.displacement[c] = spec.travel * direction[c] + 0.0;
     }
     model.grips.push_back(motion);
@@ -165,22 +164,19 @@ void list_mesh(const Mesh& mesh, std::vector<std::string>& lines) {
 }
 
 void list_scene(const Scene& scene, std::vector<std::string>& lines) {
-  if (scene.model.cell == "side-frame")
-    lines.push_back(
-        "model.cell = \"side-frame\": the frame tied to a side has no element elsewhere; written as shells");
-  if (scene.model.cell == "rotation-free")
+  if (scene.model.cell == CellElement::rotation_free)
     lines.push_back(
         "model.cell = \"rotation-free\": bending over neighbouring cells without rotations has no element "
         "elsewhere; written as shells");
-  if (scene.model.yarn == "beam")
+  if (scene.model.yarn == YarnElement::beam)
     lines.push_back(
         "beams: yarns are pinned where they cross yet each runs on; where they share a node another code "
         "joins their rotations");
-  if (scene.model.formulation != "energy")
+  if (scene.model.formulation != Formulation::energy)
     lines.push_back(
         fmt::format("model.formulation = \"{}\": cells are written by their energy, which differs in the "
                     "part of the shear force along the yarns",
-                    scene.model.formulation));
+                    name_of(scene.model.formulation)));
   lines.push_back("analysis: damping, yarn viscosity and step control are not written");
   if (!scene.measure.empty()) lines.push_back("measures are not written");
 }
@@ -290,10 +286,11 @@ void add_pieces(const TangentLaw& law, const std::string& of, const std::string&
 std::vector<Constant> yarn_constants(const Gathered& model, std::size_t family) {
   const YarnCard& yarn = model.card.yarn[family];
   const ModelSpec& spec = model.scene.model;
-  const bool compression = spec.yarn != "seatbelt" || spec.partner == "compression";
+  const bool compression = spec.yarn != YarnElement::seatbelt || spec.partner == SeatbeltPartner::compression;
   std::vector<Constant> constants = {
       {spec.yarn_stiffness_scale, "factor on all moduli"},
-      {spec.section == "incompressible" ? 1.0 : 0.0, "1: incompressible section, N = s(e) A L0/L; 0: N = s(e) A"},
+      {spec.section == Section::incompressible ? 1.0 : 0.0,
+       "1: incompressible section, N = s(e) A L0/L; 0: N = s(e) A"},
       {compression ? 1.0 : 0.0, "1: carries compression; 0: does not"},
       {spec.compression_modulus.value_or(yarn.compression_modulus), "compression modulus (MPa), e < 0"},
       {yarn.linear_modulus, "linear modulus (MPa), of the last piece"},
@@ -340,9 +337,9 @@ void list_user_materials(const Gathered& model, std::vector<std::string>& lost) 
   lost.push_back(
       "formulation: cell forces come from the other code's own element and a user material that has to be supplied; "
       "the constants say what it must do");
-  if (spec.yarn_law != "card")
+  if (spec.yarn_law != YarnLaw::card)
     lost.push_back(
-        fmt::format("model.yarn_law = \"{}\": the constants are those of the card's own law", spec.yarn_law));
+        fmt::format("model.yarn_law = \"{}\": the constants are those of the card's own law", name_of(spec.yarn_law)));
   lost.push_back(
       "jaws and softening: elements in a grip's jaws are written without them and so stiffer; softened ends "
       "weigh less by their smaller section");

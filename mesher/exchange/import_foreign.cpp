@@ -51,7 +51,7 @@ struct Recovery {
   void take_elements(const std::string& part) {
     std::vector<std::string> tools;
     for (const auto& tool : scene.tools)
-      if (tool.shape == "triangles") tools.push_back(tool.name);
+      if (tool.shape == ToolShape::triangles) tools.push_back(tool.name);
     FabricElements chosen = choose_fabric(file, tools, part);
     yarn = std::move(chosen.yarn);
     cell = std::move(chosen.cell);

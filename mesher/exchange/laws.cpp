@@ -50,11 +50,11 @@ Points points_within(const Law& f, const std::vector<double>& knots, const Toler
 }
 
 bool compresses(const ModelSpec& model) {
-  return model.yarn != "seatbelt" || model.partner == "compression";
+  return model.yarn != YarnElement::seatbelt || model.partner == SeatbeltPartner::compression;
 }
 
 double slack_of(const YarnCard& yarn, const ModelSpec& model) {
-  if (model.yarn_law != "slack") return 0.0;
+  if (model.yarn_law != YarnLaw::slack) return 0.0;
   return model.slack.value_or(std::log1p(yarn.crimp));
 }
 
@@ -76,7 +76,7 @@ std::vector<double> tidy(std::vector<double> knots, double low, double high) {
 
 // The law's volume per flat volume, where the element of the other code keeps V0.
 double volume_share(const Gathered& model, double sine) {
-  return model.scene.model.thickness == "constant" ? std::sqrt(std::max(0.0, 1.0 - sine * sine)) : 1.0;
+  return model.scene.model.thickness == Thickness::constant ? std::sqrt(std::max(0.0, 1.0 - sine * sine)) : 1.0;
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ double yarn_stress(const Gathered& model, std::size_t family, double strain) {
   const ModelSpec& spec = model.scene.model;
   const double scale = spec.yarn_stiffness_scale;
   if (strain >= 0.0) {
-    if (spec.yarn_law == "card") return scale * yarn.tension.stress(strain);
+    if (spec.yarn_law == YarnLaw::card) return scale * yarn.tension.stress(strain);
     return scale * yarn.linear_modulus * std::max(0.0, strain - slack_of(yarn, spec));
   }
   if (!compresses(spec)) return 0.0;
@@ -133,14 +133,14 @@ std::vector<double> yarn_knots(const Gathered& model, std::size_t family, double
 
 double yarn_force_per_section(const Gathered& model, std::size_t family, double engineering_strain) {
   const double stress = yarn_stress(model, family, std::log1p(engineering_strain));
-  return model.scene.model.section == "incompressible" ? stress / (1.0 + engineering_strain) : stress;
+  return model.scene.model.section == Section::incompressible ? stress / (1.0 + engineering_strain) : stress;
 }
 
 double yarn_stiffness(const Gathered& model, std::size_t family) {
   const YarnCard& yarn = model.card.yarn[family];
   const double high = yarn_knots(model, family, 0.0).back();
   double stiffest = yarn.linear_modulus;
-  if (model.scene.model.yarn_law == "card") stiffest = std::max(stiffest, yarn.tension.stiffest(0.0, high));
+  if (model.scene.model.yarn_law == YarnLaw::card) stiffest = std::max(stiffest, yarn.tension.stiffest(0.0, high));
   return stiffest * model.scene.model.yarn_stiffness_scale;
 }
 

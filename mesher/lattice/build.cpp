@@ -115,7 +115,7 @@ LineLayout lines_of_roll(const BlankSpec& blank, const Vec2& asked) {
 LineLayout choose_lines(const BlankSpec& blank, const Outline& outline, const GripRegions& grips, const Vec2& asked) {
   if (blank.on_roll) return lines_of_roll(blank, asked);
   const LineLayout as_asked{asked, blank.phase};
-  if (blank.fit == "none" || blank.phase != Vec2{0.0, 0.0}) return as_asked;
+  if (blank.fit == LineFit::none || blank.phase != Vec2{0.0, 0.0}) return as_asked;
   const LineLayout fitted = fit_lines(outline, grips, asked);
   std::vector<std::string> too_few;
   check_size(blank, outline, grips.yarns, fitted.spacing, too_few);
@@ -249,7 +249,7 @@ void check_grips_hold(const Scene& scene, const Mesh& mesh, std::vector<std::str
 }
 
 bool is_cross(const BlankSpec& blank) {
-  return blank.shape == "cross";
+  return blank.shape == BlankShape::cross;
 }
 
 // The edges of a cross are the ends of its arms, not the sides of its middle.

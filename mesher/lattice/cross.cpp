@@ -21,9 +21,10 @@ int grip_at(const Scene& scene, const Vec2& end) {
   const auto on = [&](double value, double limit) { return std::abs(value - limit) <= near; };
   for (std::size_t g = 0; g < scene.grip.size(); ++g) {
     const auto& grip = scene.grip[g];
-    const bool on_edge = (grip.edge == "left" && on(end[0], -half[0])) ||
-                         (grip.edge == "right" && on(end[0], half[0])) ||
-                         (grip.edge == "bottom" && on(end[1], -half[1])) || (grip.edge == "top" && on(end[1], half[1]));
+    const bool on_edge = (grip.edge == BlankEdge::left && on(end[0], -half[0])) ||
+                         (grip.edge == BlankEdge::right && on(end[0], half[0])) ||
+                         (grip.edge == BlankEdge::bottom && on(end[1], -half[1])) ||
+                         (grip.edge == BlankEdge::top && on(end[1], half[1]));
     const bool in_box = grip.box && end[0] >= (*grip.box)[0] - near && end[1] >= (*grip.box)[1] - near &&
                         end[0] <= (*grip.box)[2] + near && end[1] <= (*grip.box)[3] + near;
     if (on_edge || in_box) return static_cast<int>(g);

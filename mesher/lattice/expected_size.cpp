@@ -52,9 +52,9 @@ ExpectedSize expected_size(const Scene& scene, const Card& card) {
   ExpectedSize size;
   size.spacing = {blank.coarsening[1] * card.yarn[1].interval, blank.coarsening[0] * card.yarn[0].interval};
   double area = blank.size[0] * blank.size[1];
-  if (blank.shape == "disc") area *= 0.25 * std::numbers::pi;
+  if (blank.shape == BlankShape::disc) area *= 0.25 * std::numbers::pi;
   size.extent = blank.size;
-  if (blank.shape == "polygon" || blank.shape == "file") {
+  if (blank.shape == BlankShape::polygon || blank.shape == BlankShape::file) {
     std::vector<std::string> complaints;
     const std::vector<OutlineLoop> loops = blank_loops(scene, complaints);
     if (!complaints.empty()) throw InputError(complaints);

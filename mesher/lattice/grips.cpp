@@ -28,7 +28,7 @@ bool on_edge(const GripRegions& grips, const GripRegion& region, const Vec2& poi
 std::string edge_names(const Outline& outline) {
   std::string names;
   for (const auto& edge : outline.edge)
-    if (!edge.name.empty()) names += (names.empty() ? "" : ", ") + edge.name;
+    if (edge.name) names += (names.empty() ? "" : ", ") + name_of(*edge.name);
   return names;
 }
 
@@ -120,14 +120,14 @@ GripRegions grip_regions(const Scene& scene, const Outline& outline, const Turn&
       region.box = Box{{b[0], b[1]}, {b[2], b[3]}};
     } else {
       for (const auto& edge : outline.edge)
-        if (edge.name == grip.edge) region.edge.push_back(edge);
+        if (edge.name && edge.name == grip.edge) region.edge.push_back(edge);
       if (region.edge.empty())
-        complaints.push_back(edge_names(outline).empty()
-                                 ? fmt::format("grip '{}': a {} has no edges with names; give the grip a 'box' instead",
-                                               grip.name,
-                                               scene.blank.shape == "file" ? "blank from a file" : scene.blank.shape)
-                                 : fmt::format("grip '{}': the blank has no edge '{}'; its edges are: {}", grip.name,
-                                               grip.edge, edge_names(outline)));
+        complaints.push_back(
+            edge_names(outline).empty()
+                ? fmt::format("grip '{}': a {} has no edges with names; give the grip a 'box' instead", grip.name,
+                              scene.blank.shape == BlankShape::file ? "blank from a file" : name_of(scene.blank.shape))
+                : fmt::format("grip '{}': the blank has no edge '{}'; its edges are: {}", grip.name,
+                              grip.edge ? name_of(*grip.edge) : "", edge_names(outline)));
     }
     region.end = held_ends(held_pieces(region, outline, grips), tolerance);
     grips.region.push_back(region);

@@ -94,10 +94,10 @@ Outline rectangle_outline(const Vec2& size, const Turn& yarns) {
   const double y = 0.5 * size[1];
   const std::array<Vec2, 4> corner = {yarns.back({-x, -y}), yarns.back({x, -y}), yarns.back({x, y}),
                                       yarns.back({-x, y})};
-  return {{{corner[0], corner[1], "bottom"},
-           {corner[1], corner[2], "right"},
-           {corner[2], corner[3], "top"},
-           {corner[3], corner[0], "left"}}};
+  return {{{corner[0], corner[1], BlankEdge::bottom},
+           {corner[1], corner[2], BlankEdge::right},
+           {corner[2], corner[3], BlankEdge::top},
+           {corner[3], corner[0], BlankEdge::left}}};
 }
 
 Box bounding_box(const Outline& outline) {

@@ -4,17 +4,19 @@
 #pragma once
 
 #include <array>
-#include <string>
+#include <optional>
 #include <vector>
+
+#include "mesher/scene/choices.hpp"
 
 namespace weaveform::lattice {
 
 using Vec2 = std::array<double, 2>;
 
 struct OutlineEdge {
-  Vec2 from = {0.0, 0.0};  // mm
-  Vec2 to = {0.0, 0.0};    // mm
-  std::string name;        // what a grip calls it; "" when no grip can
+  Vec2 from = {0.0, 0.0};              // mm
+  Vec2 to = {0.0, 0.0};                // mm
+  std::optional<BlankEdge> name = {};  // what a grip calls it; none when no grip can
 };
 
 // The blank lies to the left of every edge: outer boundary counter-clockwise, holes clockwise.

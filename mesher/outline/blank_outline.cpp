@@ -36,7 +36,7 @@ std::vector<OutlineLoop> file_loops(const Scene& scene, const std::string& file,
   if (is_dxf_file(file)) return read_dxf_outline(file, dxf_asked(scene), complaints).loops;
   if (!scene.blank.outline_layers.empty())
     complaints.push_back(file + ": blank.outline_layers means nothing to it; only a DXF drawing has layers");
-  if (!scene.blank.outline_unit.empty() && names_its_unit(file))
+  if (scene.blank.outline_unit && names_its_unit(file))
     complaints.push_back(file + ": STEP and IGES files name their unit themselves; leave blank.outline_unit out");
   auto loops = is_cad_file(file) ? read_cad_outline(file, outline_chord_tolerance, complaints)
                                  : read_outline_csv(file, complaints);
@@ -49,15 +49,15 @@ std::vector<OutlineLoop> file_loops(const Scene& scene, const std::string& file,
 }  // namespace
 
 std::vector<std::string> outline_notes(const Scene& scene) {
-  if (scene.blank.shape != "file" || !is_dxf_file(scene.blank.outline)) return {};
+  if (scene.blank.shape != BlankShape::file || !is_dxf_file(scene.blank.outline)) return {};
   std::vector<std::string> complaints;  // the mesher's
   return read_dxf_outline(outline_file(scene), dxf_asked(scene), complaints).notes;
 }
 
 std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string>& complaints) {
   const BlankSpec& blank = scene.blank;
-  if (blank.shape == "disc") return {ellipse_loop(blank.size)};
-  if (blank.shape == "file") {
+  if (blank.shape == BlankShape::disc) return {ellipse_loop(blank.size)};
+  if (blank.shape == BlankShape::file) {
     const std::string file = outline_file(scene);
     return sound_loops(file_loops(scene, file, complaints), file, complaints);
   }
@@ -75,17 +75,17 @@ std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string
 
 lattice::Outline blank_outline(const Scene& scene, const lattice::Turn& yarns, std::vector<std::string>& complaints) {
   const BlankSpec& blank = scene.blank;
-  if (blank.shape == "rectangle") return lattice::rectangle_outline(blank.size, yarns);
-  if (blank.shape == "cross") return lattice::rectangle_outline({*blank.arm_width, *blank.arm_width}, yarns);
+  if (blank.shape == BlankShape::rectangle) return lattice::rectangle_outline(blank.size, yarns);
+  if (blank.shape == BlankShape::cross) return lattice::rectangle_outline({*blank.arm_width, *blank.arm_width}, yarns);
   lattice::Outline outline;
   for (const auto& loop : blank_loops(scene, complaints))
     for (std::size_t k = 0; k < loop.point.size(); ++k)
-      outline.edge.push_back({yarns.back(loop.point[k]), yarns.back(loop.point[(k + 1) % loop.point.size()]), ""});
+      outline.edge.push_back({yarns.back(loop.point[k]), yarns.back(loop.point[(k + 1) % loop.point.size()]), {}});
   return outline;
 }
 
 std::array<double, 2> blank_extent(const Scene& scene) {
-  if (scene.blank.shape != "polygon" && scene.blank.shape != "file") return scene.blank.size;
+  if (scene.blank.shape != BlankShape::polygon && scene.blank.shape != BlankShape::file) return scene.blank.size;
   std::vector<std::string> complaints;
   const lattice::Outline outline = blank_outline(scene, lattice::Turn{}, complaints);
   if (!complaints.empty()) throw InputError(complaints);

@@ -82,7 +82,7 @@ double extent_of(const std::vector<OutlineCurve>& curves) {
 }
 
 void note(const DxfDrawing& drawing, const DxfCurves& curves, const DxfAsked& asked, DxfOutline& outline) {
-  if (asked.unit.empty() && !drawing.unit)
+  if (!asked.unit && !drawing.unit)
     outline.notes.push_back(drawing.file +
                             ": names no unit ($INSUNITS); taken for mm. Set blank.outline_unit to say it");
   const auto layers = layers_of(curves.curve);
@@ -103,7 +103,7 @@ bool is_dxf_file(const std::string& file) {
 DxfOutline read_dxf_outline(const std::string& file, const DxfAsked& asked, std::vector<std::string>& complaints) {
   const std::string text = read_text_file(file, most_bytes);
   const DxfDrawing drawing = read_drawing(text, file);
-  const double unit = asked.unit.empty() ? drawing.unit.value_or(1.0) : millimetres_in(asked.unit);
+  const double unit = asked.unit ? millimetres_in(asked.unit) : drawing.unit.value_or(1.0);
   DxfCurves curves = curves_of(drawing, asked.chord_tolerance / unit);
   DxfOutline outline;
   note(drawing, curves, asked, outline);

@@ -1,15 +1,17 @@
 // A blank's outline from a DXF drawing (cutters and nesting programs write nothing else).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/keys/length_unit.hpp"
 #include "mesher/outline/loops.hpp"
 
 namespace weaveform {
 
 struct DxfAsked {
-  std::string unit;                 // of core/keys/length_unit.hpp; "": the drawing's own, mm when it names none
+  std::optional<LengthUnit> unit;   // none: the drawing's own, mm when it names none
   std::vector<std::string> layers;  // in any case of letters; none: all that are on
   double chord_tolerance = 0.01;    // mm
 };

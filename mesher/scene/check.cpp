@@ -53,7 +53,7 @@ void check_names(const std::vector<Spec>& specs, const toml::table& root, const 
 }
 
 void check_grips(const Scene& scene, const toml::table& root, Complaints& complaints) {
-  std::map<std::string, std::string> holder;  // of each edge
+  std::map<BlankEdge, std::string> holder;  // of each edge
   for (std::size_t i = 0; i < scene.grip.size(); ++i) {
     const GripSpec& grip = scene.grip[i];
     const toml::table* table = table_at(root, "grip", i);
@@ -63,11 +63,11 @@ void check_grips(const Scene& scene, const toml::table& root, Complaints& compla
     if (grip.direction && *grip.direction == std::array<double, 3>{0.0, 0.0, 0.0}) {
       complaints.add(place_of(*table, "direction"), "'direction' is zero; give it a length");
     }
-    if (grip.edge.empty()) continue;
-    const auto [held, is_new] = holder.emplace(grip.edge, grip.name);
+    if (!grip.edge) continue;
+    const auto [held, is_new] = holder.emplace(*grip.edge, grip.name);
     if (is_new) continue;
-    complaints.add(place_of(*table, "edge"),
-                   fmt::format("edge '{}' is already held by grip '{}'; one grip per edge", grip.edge, held->second));
+    complaints.add(place_of(*table, "edge"), fmt::format("edge '{}' is already held by grip '{}'; one grip per edge",
+                                                         name_of(*grip.edge), held->second));
   }
 }
 
@@ -120,20 +120,21 @@ void check_blank(const Scene& scene, const toml::table& root, Complaints& compla
   const toml::table* table = table_at(root, "blank", 0);
   if (table == nullptr) return;
   const BlankSpec& blank = scene.blank;
-  const auto goes_with = [&](const char* key, bool given, const char* shape) {
+  const auto goes_with = [&](const char* key, bool given, BlankShape shape) {
     if (given && blank.shape != shape)
       complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs shape = \"{}\", not \"{}\"",
-                                                        key, shape, blank.shape));
+                                                        key, name_of(shape), name_of(blank.shape)));
     if (!given && blank.shape == shape)
-      complaints.add(place_of(*table, "shape"), fmt::format("a blank of shape \"{}\" needs '{}'; add it", shape, key));
+      complaints.add(place_of(*table, "shape"),
+                     fmt::format("a blank of shape \"{}\" needs '{}'; add it", name_of(shape), key));
   };
-  goes_with("corners", !blank.corners.empty(), "polygon");
-  goes_with("outline", !blank.outline.empty(), "file");
-  for (const auto& [key, given] : {std::pair{"outline_unit", !blank.outline_unit.empty()},
+  goes_with("corners", !blank.corners.empty(), BlankShape::polygon);
+  goes_with("outline", !blank.outline.empty(), BlankShape::file);
+  for (const auto& [key, given] : {std::pair{"outline_unit", blank.outline_unit.has_value()},
                                    std::pair{"outline_layers", !blank.outline_layers.empty()}})
-    if (given && blank.shape != "file")
+    if (given && blank.shape != BlankShape::file)
       complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs shape = \"file\"", key));
-  goes_with("arm_width", blank.arm_width.has_value(), "cross");
+  goes_with("arm_width", blank.arm_width.has_value(), BlankShape::cross);
   if (blank.on_roll && blank.phase != std::array<double, 2>{0.0, 0.0})
     complaints.add(place_of(*table, "phase"),
                    "[blank] has both 'on_roll' and 'phase'; keep one, each says where the yarns lie");
@@ -148,23 +149,24 @@ void check_model(const Scene& scene, const toml::table& root, Complaints& compla
       complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs {}", key, what));
   };
   const ModelSpec& model = scene.model;
-  needs(model.yarn_bending.has_value(), "yarn_bending", model.yarn == "beam", "yarn = \"beam\"");
-  needs(model.cell_bending.has_value(), "cell_bending", model.cell != "membrane",
+  needs(model.yarn_bending.has_value(), "yarn_bending", model.yarn == YarnElement::beam, "yarn = \"beam\"");
+  needs(model.cell_bending.has_value(), "cell_bending", model.cell != CellElement::membrane,
         "cell = \"rotation-free\" or \"shell\"");
-  needs(model.transverse_shear.has_value(), "transverse_shear", model.cell == "shell", "cell = \"shell\"");
-  if (model.partner != "none" && model.yarn != "seatbelt") {
+  needs(model.transverse_shear.has_value(), "transverse_shear", model.cell == CellElement::shell, "cell = \"shell\"");
+  if (model.partner != SeatbeltPartner::none && model.yarn != YarnElement::seatbelt) {
     complaints.add(place_of(*table, "partner"),
                    fmt::format("'partner' is '{}', but yarn = '{}' carries compression itself; set yarn = \"seatbelt\" "
                                "or leave 'partner' out",
-                               model.partner, model.yarn));
+                               name_of(model.partner), name_of(model.yarn)));
   }
   needs(model.compression_modulus.has_value(), "compression_modulus",
-        model.yarn != "seatbelt" || model.partner == "compression", "partner = \"compression\"");
-  if (model.slack && model.yarn_law != "slack") {
+        model.yarn != YarnElement::seatbelt || model.partner == SeatbeltPartner::compression,
+        "partner = \"compression\"");
+  if (model.slack && model.yarn_law != YarnLaw::slack) {
     complaints.add(place_of(*table, "slack"),
                    fmt::format("'slack' is {}, but yarn_law = '{}' has none; set yarn_law = \"slack\" or leave 'slack' "
                                "out",
-                               *model.slack, model.yarn_law));
+                               *model.slack, name_of(model.yarn_law)));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace weaveform {
@@ -23,38 +24,46 @@ bool is_zero(const Axis& a) {
   return a == Axis{0.0, 0.0, 0.0};
 }
 
+// Whether the file names a shape that there is.
+bool has_shape(const toml::table& table) {
+  return choice_named<ToolShape>(table["shape"].value_or(std::string_view())).has_value();
+}
+
 // What a shape is made of: keys that one shape needs and the others must not have.
 struct ShapeKey {
   const char* key;
   bool given;
-  std::vector<std::string> needed_by;  // shapes
-  std::vector<std::string> taken_by = {};
+  std::vector<ToolShape> needed_by;
+  std::vector<ToolShape> taken_by = {};
 };
 
 void check_shape_keys(const ToolSpec& tool, const toml::table& table, Complaints& complaints) {
   const ShapeKey keys[] = {
-      {"radius", tool.radius.has_value(), {"sphere", "cylinder"}},
-      {"opening_radius", tool.opening_radius.has_value(), {"ring"}},
-      {"fillet_radius", tool.fillet_radius != 0.0, {}, {"ring"}},
-      {"profile", !tool.profile.empty(), {"revolved"}},
-      {"file", !tool.file.empty(), {"triangles"}},
-      {"chord_tolerance", tool.chord_tolerance.has_value(), {}, {"triangles"}},
-      {"unit", !tool.unit.empty(), {}, {"triangles"}},
-      {"flip", tool.flip, {}, {"triangles"}},
-      {"position", tool.position.has_value(), {"cylinder", "revolved"}, {"plane", "sphere", "ring", "triangles"}},
+      {"radius", tool.radius.has_value(), {ToolShape::sphere, ToolShape::cylinder}},
+      {"opening_radius", tool.opening_radius.has_value(), {ToolShape::ring}},
+      {"fillet_radius", tool.fillet_radius != 0.0, {}, {ToolShape::ring}},
+      {"profile", !tool.profile.empty(), {ToolShape::revolved}},
+      {"file", !tool.file.empty(), {ToolShape::triangles}},
+      {"chord_tolerance", tool.chord_tolerance.has_value(), {}, {ToolShape::triangles}},
+      {"unit", tool.unit.has_value(), {}, {ToolShape::triangles}},
+      {"flip", tool.flip, {}, {ToolShape::triangles}},
+      {"position",
+       tool.position.has_value(),
+       {ToolShape::cylinder, ToolShape::revolved},
+       {ToolShape::plane, ToolShape::sphere, ToolShape::ring, ToolShape::triangles}},
   };
-  const auto has = [&](const std::vector<std::string>& shapes) {
+  const auto has = [&](const std::vector<ToolShape>& shapes) {
     return std::find(shapes.begin(), shapes.end(), tool.shape) != shapes.end();
   };
   for (const ShapeKey& row : keys) {
     // judged by the file too, so that a key with a bad value is not called missing
     if (has(row.needed_by) && !row.given && !table.contains(row.key))
-      complaints.add(table,
-                     fmt::format("[tools.{}] lacks '{}', which the shape '{}' needs", tool.name, row.key, tool.shape));
+      complaints.add(table, fmt::format("[tools.{}] lacks '{}', which the shape '{}' needs", tool.name, row.key,
+                                        name_of(tool.shape)));
     if (row.given && !has(row.needed_by) && !has(row.taken_by))
       complaints.add(place_of(table, row.key),
-                     fmt::format("'{}' means nothing to the shape '{}'; it belongs to {}", row.key, tool.shape,
-                                 fmt::join(row.needed_by.empty() ? row.taken_by : row.needed_by, ", ")));
+                     fmt::format("'{}' means nothing to the shape '{}'; it belongs to {}", row.key, name_of(tool.shape),
+                                 fmt::join(names_of(row.needed_by.empty() ? row.taken_by : row.needed_by), ", ")));
   }
 }
 
@@ -62,12 +71,13 @@ void check_place(const ToolSpec& tool, const toml::table& table, Complaints& com
   if (is_zero(tool.axis)) complaints.add(place_of(table, "axis"), "'axis' is zero; give it a length");
   if (tool.direction && is_zero(*tool.direction))
     complaints.add(place_of(table, "direction"), "'direction' is zero; give it a length");
-  const bool can_touch = tool.shape == "plane" || tool.shape == "sphere" || tool.shape == "ring";
+  const bool can_touch =
+      tool.shape == ToolShape::plane || tool.shape == ToolShape::sphere || tool.shape == ToolShape::ring;
   const bool upright = tool.axis[0] == 0.0 && tool.axis[1] == 0.0;
   if (can_touch && !upright && !table.contains("position"))
     complaints.add(table, fmt::format("[tools.{}] lacks 'position'; only with its axis along z does a {} find its own "
                                       "place on the blank",
-                                      tool.name, tool.shape));
+                                      tool.name, name_of(tool.shape)));
 }
 
 void check_speed(const ToolSpec& tool, const toml::table& table, Complaints& complaints) {
@@ -110,7 +120,7 @@ void check_tools(const Scene& scene, const toml::table& root, Complaints& compla
   for (const ToolSpec& tool : scene.tools) {
     const toml::node* node = group->get(tool.name);
     const toml::table* table = node == nullptr ? nullptr : node->as_table();
-    if (table == nullptr || tool.shape.empty()) continue;  // complained about already
+    if (table == nullptr || !has_shape(*table)) continue;  // complained about already
     check_shape_keys(tool, *table, complaints);
     check_place(tool, *table, complaints);
     check_motion(tool, *table, complaints);

@@ -21,7 +21,7 @@ double weight_of(const Scene& scene) {
 }
 
 bool leaves_free(const GripSpec& grip, std::size_t axis) {
-  return std::find(grip.free.begin(), grip.free.end(), std::string(1, "xyz"[axis])) != grip.free.end();
+  return std::find(grip.free.begin(), grip.free.end(), Component{static_cast<int>(axis)}) != grip.free.end();
 }
 
 bool holds_nothing(const GripSpec& grip) {
@@ -50,7 +50,7 @@ void look_at_grips(const Scene& scene, std::vector<std::string>& found) {
       found.push_back(fmt::format(
           "grip '{}' moves nothing: its travel of {:g} mm is along {}, which it leaves free; take that out of 'free', "
           "or set travel = 0",
-          grip.name, grip.travel, fmt::join(grip.free, " and ")));
+          grip.name, grip.travel, fmt::join(names_of(grip.free), " and ")));
   }
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "mesher/scene/choices.hpp"
+
 namespace weaveform {
 
 // A number the program chooses from the scene unless the user gives it ("auto" in the file).
@@ -19,7 +21,7 @@ struct FabricSpec {
 };
 
 struct BlankSpec {
-  std::string shape = "rectangle";
+  BlankShape shape = BlankShape::rectangle;
   std::array<double, 2> size = {115.0, 230.0};  // mm; extent along the blank's own x and y axes
   double yarn_angle = 45.0;                     // deg; from the blank's x axis to the warp direction, counter-clockwise
   std::array<double, 2> coarsening = {1.0, 1.0};  // yarns per model yarn, for warp and for weft yarns
@@ -27,29 +29,28 @@ struct BlankSpec {
       0.0, 0.0};  // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
   std::vector<std::vector<double>> corners;      // mm; of a polygon, [x, y] each, blank frame
   std::string outline;                           // file of the outline; relative to the scene file
-  std::string outline_unit;                      // of that file: "mm", "cm", "m", "inch"; empty: its own, or mm
+  std::optional<LengthUnit> outline_unit;        // of that file; none: its own, or mm
   std::vector<std::string> outline_layers;       // of a DXF drawing; none: all that are on
   Auto arm_width;                                // mm; of a cross
   std::optional<std::array<double, 2>> on_roll;  // mm; where the centre lies on the roll; none: lines by phase and fit
-  std::string fit = "grips";  // "grips": spacing (within 15 %) and phase meet the ends of the gripped edges; "none"
-  double orientation = 0.0;   // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
+  LineFit fit = LineFit::grips;  // grips: spacing (within 15 %) and phase meet the ends of the gripped edges
+  double orientation = 0.0;      // deg; turns the whole blank (outline, yarns, grips, measures) in the plane
   std::array<double, 3> position = {0.0, 0.0, 0.0};  // mm; where the blank's centre lies in the world
   bool operator==(const BlankSpec&) const = default;
 };
 
 struct ModelSpec {
-  std::string yarn = "truss";
-  std::string partner = "none";  // beside a seatbelt: "none", or "compression", an element that carries only that
-  std::string cell = "membrane";
-  std::string formulation = "energy";
-  std::string thickness = "constant-volume";
-  std::string section = "incompressible";
-  std::string yarn_law =
-      "card";  // "card", or "linear": the card's linear modulus from zero strain on (decrimping taken out), or "slack"
-  Auto slack;  // 1; true strain before a yarn carries; auto: ln(1 + crimp) of its family
+  YarnElement yarn = YarnElement::truss;
+  SeatbeltPartner partner = SeatbeltPartner::none;  // beside a seatbelt: an element that carries compression only
+  CellElement cell = CellElement::membrane;
+  Formulation formulation = Formulation::energy;
+  Thickness thickness = Thickness::constant_volume;
+  Section section = Section::incompressible;
+  YarnLaw yarn_law = YarnLaw::card;   // linear: the card's linear modulus from zero strain on (decrimping taken out)
+  Auto slack;                         // 1; true strain before a yarn carries; auto: ln(1 + crimp) of its family
   double yarn_stiffness_scale = 1.0;  // factor on all yarn moduli
   Auto compression_modulus;           // MPa; for e < 0, in place of the card's modulus or law; auto: the card's
-  std::string symmetry = "auto";      // "auto", "quarter", "half", "none": how little of a symmetric blank is solved
+  SymmetryUse symmetry = SymmetryUse::automatic;
   std::optional<std::array<double, 2>>
       yarn_bending;  // N mm^2; of one yarn, in plane and out of plane; none: the card's
   std::optional<std::array<double, 3>> cell_bending;  // N mm; warp, weft, twist; none: from the card (flexure.hpp)
@@ -59,12 +60,12 @@ struct ModelSpec {
 
 struct GripSpec {
   std::string name;
-  std::string edge;                          // "bottom", "top", "left", "right" of the blank; empty when box is given
+  std::optional<BlankEdge> edge;             // none when box is given
   std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax in the blank's frame (centre = origin)
   double travel = 0.0;                       // mm; along direction, smooth-step over the duration
   std::optional<std::array<double, 3>>
-      direction;                  // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
-  std::vector<std::string> free;  // components left free, of "x", "y", "z" in the blank's frame
+      direction;                // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
+  std::vector<Component> free;  // components left free, blank's frame
   bool operator==(const GripSpec&) const = default;
 };
 
@@ -84,7 +85,7 @@ struct FrameSpec {
 // A rigid tool. It does not turn; it travels, is pushed by a force, or stays.
 struct ToolSpec {
   std::string name;                                // of its table, [tools.NAME]
-  std::string shape;                               // "plane", "sphere", "cylinder", "ring", "revolved", "triangles"
+  ToolShape shape = ToolShape::plane;              // must be given
   std::optional<std::array<double, 3>> position;   // mm; of the shape's origin; none: touching the flat blank
   std::array<double, 3> axis = {0.0, 0.0, 1.0};    // outward normal of a plane or ring, shank of a sphere, ...
   Auto radius;                                     // mm; sphere, cylinder
@@ -93,7 +94,7 @@ struct ToolSpec {
   std::vector<std::vector<double>> profile;        // mm; revolved: corners (mesher/tools/profile.hpp)
   std::string file;                                // triangles: STL, CAD or .inp, relative to the scene file
   Auto chord_tolerance;                            // mm; triangles from CAD: greatest distance from the true surface
-  std::string unit;                                // of the file: "mm", "cm", "m", "inch"; empty: mm, and checked
+  std::optional<LengthUnit> unit;                  // of the file; none: mm, and checked
   bool flip = false;                               // triangles: turn the surface over, its inside out
   double travel = 0.0;                             // mm; along direction over the duration
   std::optional<std::array<double, 3>> direction;  // of travel or force; none: the way the tool faces
@@ -119,18 +120,17 @@ struct DrapeSpec {
 };
 
 struct AnalysisSpec {
-  Auto duration;                        // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
-  Auto loading_speed;                   // mm/s; greatest speed of any grip; an alternative to duration
-  double step_factor = 0.9;             // fraction of the stable step
-  std::string step_bound = "stiffest";  // "stiffest": the stable step is that of the yarns' stiffest tangent;
-                                        // "reached": of the stiffest they have reached (solver/ply/reach.hpp)
-  int bending_every = 1;                // steps from one evaluation of bending to the next
-  double mass_scale = 1.0;              // factor on the fabric's mass, not on its weight
-  Auto contact_stiffness;               // 1; factor on the contact springs of the tools; auto: 1, "reached" 0.5
-  bool step_check = true;               // stop when the step is above the stable one
-  Auto damping;                         // 1/s; mass-proportional; auto: chosen from the duration
-  double yarn_viscosity = 0.06;         // 1; fraction of critical damping of the yarn elements' highest frequency
-  double energy_limit = 0.05;           // the run fails when the energy-balance error passes this fraction
+  Auto duration;             // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
+  Auto loading_speed;        // mm/s; greatest speed of any grip; an alternative to duration
+  double step_factor = 0.9;  // fraction of the stable step
+  StepBound step_bound = StepBound::stiffest;
+  int bending_every = 1;         // steps from one evaluation of bending to the next
+  double mass_scale = 1.0;       // factor on the fabric's mass, not on its weight
+  Auto contact_stiffness;        // 1; factor on the contact springs of the tools; auto: 1, "reached" 0.5
+  bool step_check = true;        // stop when the step is above the stable one
+  Auto damping;                  // 1/s; mass-proportional; auto: chosen from the duration
+  double yarn_viscosity = 0.06;  // 1; fraction of critical damping of the yarn elements' highest frequency
+  double energy_limit = 0.05;    // the run fails when the energy-balance error passes this fraction
   std::array<double, 3> gravity = {0.0, 0.0, 0.0};  // mm/s^2; acceleration of the fabric by its weight
   double perturbation = 0.0;                        // mm; random in-plane displacement of every free node at the start
   int perturbation_seed = 1;

@@ -2,8 +2,6 @@
 
 #include <type_traits>
 
-#include "core/keys/length_unit.hpp"
-
 namespace weaveform {
 namespace {
 
@@ -15,7 +13,6 @@ const std::vector<Key<FabricSpec>> fabric_keys = {
 
 const std::vector<Key<BlankSpec>> blank_keys = {
     key<&BlankSpec::shape>({.name = "shape",
-                            .allowed = {"rectangle", "disc", "cross", "polygon", "file"},
                             .doc = "outline of the flat blank: `rectangle`; `disc`, an ellipse of the given extents; "
                                    "`cross`: a square of `arm_width` whose yarns run on into four arms without cross "
                                    "yarns; `polygon` of `corners`; `file`: `outline`, with holes and notches"}),
@@ -36,7 +33,6 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                 "face or closed curves, chords within 0.01 mm; or CSV with rows x,y (mm, blank's frame), closed "
                 "loops (the last point repeats the first) parted by blank lines; a loop inside another is a hole"}),
     key<&BlankSpec::outline_unit>({.name = "outline_unit",
-                                   .allowed = length_units,
                                    .doc = "of that file; left out: what a DXF drawing ($INSUNITS), STEP or IGES file "
                                           "names, mm where none is named"}),
     key<&BlankSpec::outline_layers>(
@@ -67,7 +63,6 @@ const std::vector<Key<BlankSpec>> blank_keys = {
                             .doc = "shift of the warp and weft lines in model intervals; 0 puts a crossing at the "
                                    "blank's centre"}),
     key<&BlankSpec::fit>({.name = "fit",
-                          .allowed = {"grips", "none"},
                           .doc = "`grips`: spacing (within 15 %) and phase are chosen so that yarn lines pass through "
                                  "the ends of the gripped edges, which bound the deforming zone; `none`, or a `phase` "
                                  "other than 0: lines exactly as written"}),
@@ -83,34 +78,25 @@ const std::vector<Key<BlankSpec>> blank_keys = {
 
 const std::vector<Key<ModelSpec>> model_keys = {
     key<&ModelSpec::yarn>({.name = "yarn",
-                           .allowed = {"truss", "beam", "seatbelt"},
                            .doc = "element of the yarns: `truss` (the paper's T3D2); `beam` (B31): adds flexural "
                                   "stiffness along each continuous yarn, crossings stay pinned; `seatbelt` carries no "
                                   "compression (the paper's LS-DYNA element)"}),
     key<&ModelSpec::partner>({.name = "partner",
-                              .allowed = {"none", "compression"},
                               .doc = "`compression`: beside every seatbelt an element that carries the card's "
                                      "`compression` law and no tension"}),
     key<&ModelSpec::cell>(
         {.name = "cell",
-         .allowed = {"membrane", "rotation-free", "shell"},
          .doc = "element of the shear cells: `membrane` (the paper's M3D4R); `rotation-free`: adds bending along warp "
                 "and weft and twist from the lattice's curvatures; `shell` (S4R): the same with rotational unknowns "
                 "and transverse shear"}),
     key<&ModelSpec::formulation>({.name = "formulation",
-                                  .allowed = {"energy", "contravariant", "incremental", "side-frame"},
                                   .doc = "shear force of a cell: gradient of a stored energy, or the paper's stress "
                                          "(Eq. 9) taken whole; equal for inextensible yarns. For comparison: the "
                                          "paper's stress in increments (Eqs. 8-10), or that in the frame of a side; "
                                          "what they get wrong is in docs/unit_cell.md"}),
-    key<&ModelSpec::thickness>({.name = "thickness",
-                                .allowed = {"constant-volume", "constant"},
-                                .doc = "how a cell's thickness follows its area"}),
-    key<&ModelSpec::section>({.name = "section",
-                              .allowed = {"incompressible", "constant"},
-                              .doc = "how a yarn's cross-section follows its stretch"}),
+    key<&ModelSpec::thickness>({.name = "thickness", .doc = "how a cell's thickness follows its area"}),
+    key<&ModelSpec::section>({.name = "section", .doc = "how a yarn's cross-section follows its stretch"}),
     key<&ModelSpec::yarn_law>({.name = "yarn_law",
-                               .allowed = {"card", "linear", "slack"},
                                .doc = "tension law: the card's (decrimping, Table 2), or its linear modulus from zero "
                                       "strain on, or that from the slack strain on and nothing before"}),
     key<&ModelSpec::slack>(
@@ -130,7 +116,6 @@ const std::vector<Key<ModelSpec>> model_keys = {
          .doc = "of the yarns at negative strain, in place of the card's modulus or law (docs/stability.md says how "
                 "low and how high it may be); auto: the card's"}),
     key<&ModelSpec::symmetry>({.name = "symmetry",
-                               .allowed = {"auto", "quarter", "half", "none"},
                                .false_word = "none",
                                .doc =
                                    "`auto`: where blank, fabric, tools and loads are mirrored onto themselves by the "
@@ -161,9 +146,7 @@ const std::vector<Key<GripSpec>> grip_keys = {
                           .required = true,
                           .identifier = true,
                           .doc = "heads the grip's columns in history.csv; names it in `--set grip.NAME.travel=...`"}),
-    key<&GripSpec::edge>({.name = "edge",
-                          .allowed = {"bottom", "top", "left", "right"},
-                          .doc = "the edge of the blank it holds; either this or `box`"}),
+    key<&GripSpec::edge>({.name = "edge", .doc = "the edge of the blank it holds; either this or `box`"}),
     key<&GripSpec::box>({.name = "box",
                          .unit = "mm",
                          .limits = between(-1e6, 1e6),
@@ -177,15 +160,12 @@ const std::vector<Key<GripSpec>> grip_keys = {
                                .limits = between(-1e9, 1e9),
                                .doc = "blank frame, any length but zero; when left out the edge's outward normal, or "
                                       "[0, 1, 0] for a box"}),
-    key<&GripSpec::free>({.name = "free",
-                          .allowed = {"x", "y", "z"},
-                          .doc = "components left free, blank frame; the others are prescribed"}),
+    key<&GripSpec::free>({.name = "free", .doc = "components left free, blank frame; the others are prescribed"}),
 };
 
 const std::vector<Key<ToolSpec>> tool_keys = {
     key<&ToolSpec::shape>(
         {.name = "shape",
-         .allowed = {"plane", "sphere", "cylinder", "ring", "revolved", "triangles"},
          .required = true,
          .doc = "`plane`; `sphere` with a shank of its radius up the axis; endless `cylinder`; `ring`: a plate with a "
                 "rounded opening; `revolved`: a profile turned about the axis; `triangles`: a surface from an STL or "
@@ -232,7 +212,6 @@ const std::vector<Key<ToolSpec>> tool_keys = {
                 "hundredth of a cell's shorter edge"}),
     key<&ToolSpec::unit>(
         {.name = "unit",
-         .allowed = {"mm", "cm", "m", "inch"},
          .doc = "of an STL, BREP, .geo or .inp file, which name none; left out: mm, and refused when the tool is then "
                 "out of all proportion to the blank. STEP and IGES bring their own"}),
     key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
@@ -337,7 +316,6 @@ const std::vector<Key<AnalysisSpec>> analysis_keys = {
         {.name = "step_factor", .unit = "1", .limits = between(1e-4, 4), .doc = "fraction of the stable step"}),
     key<&AnalysisSpec::step_bound>(
         {.name = "step_bound",
-         .allowed = {"stiffest", "reached"},
          .doc =
              "stiffness of the yarns that the stable step is taken from: `stiffest`, the law's greatest up to a true "
              "strain of 0.5; `reached`, the greatest at strains that yarns have reached so far, watched at every "

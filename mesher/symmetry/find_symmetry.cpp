@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::array<const char*, 2> plane_name = {"x = 0", "y = 0"};
 
-std::size_t planes_wanted(const std::string& asked) {
-  return asked == "none" ? 0 : asked == "half" ? 1 : 2;
+std::size_t planes_wanted(SymmetryUse asked) {
+  return asked == SymmetryUse::none ? 0 : asked == SymmetryUse::half ? 1 : 2;
 }
 
 [[noreturn]] void refuse(const Scene& scene, const Symmetry& symmetry) {
   const std::size_t axis = symmetry.why[0].empty() ? 1 : 0;
   throw InputError(fmt::format("{}model.symmetry: the scene is no {}: plane {} of the blank: {}; use \"auto\"",
-                               scene.file.empty() ? "" : scene.file + ": ", symmetry.asked, plane_name[axis],
+                               scene.file.empty() ? "" : scene.file + ": ", name_of(symmetry.asked), plane_name[axis],
                                symmetry.why[axis]));
 }
 
@@ -41,12 +41,12 @@ Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh) {
     symmetry.plane.push_back(plane);
     symmetry.map.push_back(std::move(map));
   }
-  if (symmetry.asked != "auto" && symmetry.plane.size() < wanted) refuse(scene, symmetry);
+  if (symmetry.asked != SymmetryUse::automatic && symmetry.plane.size() < wanted) refuse(scene, symmetry);
   return symmetry;
 }
 
 std::string describe(const Symmetry& symmetry) {
-  if (symmetry.asked == "none") return "symmetry: not used, the whole blank is solved";
+  if (symmetry.asked == SymmetryUse::none) return "symmetry: not used, the whole blank is solved";
   std::string line = "symmetry: ";
   if (symmetry.plane.empty()) line += "none, the whole blank is solved";
   if (symmetry.plane.size() == 1) line += "a half of the blank is solved";

@@ -11,11 +11,11 @@
 namespace weaveform {
 
 struct Symmetry {
-  std::vector<SymmetryPlane> plane;        // to be used: none, one (a half) or two (a quarter)
-  std::vector<MirrorMap> map;              // of each
-  std::array<std::string, 2> why;          // per axis x, y: why its plane is not one of the scene; "" when it is
-  std::string asked;                       // model.symmetry
-  [[nodiscard]] std::string word() const;  // "none", "half", "quarter"
+  std::vector<SymmetryPlane> plane;            // to be used: none, one (a half) or two (a quarter)
+  std::vector<MirrorMap> map;                  // of each
+  std::array<std::string, 2> why;              // per axis x, y: why its plane is not one of the scene; "" when it is
+  SymmetryUse asked = SymmetryUse::automatic;  // model.symmetry
+  [[nodiscard]] std::string word() const;      // "none", "half", "quarter"
 };
 
 // `mesh` is the whole. Throws InputError, with the first thing in the way, when the scene asks for a half or a quarter

@@ -28,14 +28,16 @@ std::string gravity_difference(const Scene& scene, const SymmetryPlane& plane) {
   return std::abs(dot(gravity, plane.normal)) > direction_rounding * size ? "gravity pulls across it" : "";
 }
 
-std::string mirrored_edge(const std::string& edge, int axis) {
-  constexpr std::array<std::array<const char*, 2>, 2> opposite = {{{"left", "right"}, {"bottom", "top"}}};
+BlankEdge mirrored_edge(BlankEdge edge, int axis) {
+  constexpr std::array<std::array<BlankEdge, 2>, 2> opposite = {
+      {{BlankEdge::left, BlankEdge::right}, {BlankEdge::bottom, BlankEdge::top}}};
   if (edge == opposite[axis][0]) return opposite[axis][1];
   return edge == opposite[axis][1] ? opposite[axis][0] : edge;
 }
 
 bool holds_the_image(const GripSpec& grip, const GripSpec& other, int axis) {
-  if (!grip.box || !other.box) return !grip.box && !other.box && other.edge == mirrored_edge(grip.edge, axis);
+  if (!grip.box || !other.box)
+    return !grip.box && !other.box && grip.edge && other.edge == mirrored_edge(*grip.edge, axis);
   auto box = *grip.box;  // xmin, ymin, xmax, ymax
   std::swap(box[axis], box[axis + 2]);
   box[axis] = -box[axis];
@@ -101,7 +103,7 @@ bool shape_is_mirrored(const Tool& tool, const SymmetryPlane& plane) {
 
 std::string tools_difference(const Scene& scene, double thickness, const SymmetryPlane& plane) {
   for (const auto& spec : scene.tools)
-    if (spec.shape == "triangles")
+    if (spec.shape == ToolShape::triangles)
       return fmt::format("tool '{}' is made of triangles, whose symmetry is not looked for", spec.name);
   const auto tools = make_tools(scene, thickness);
   for (std::size_t t = 0; t < tools.size(); ++t) {
@@ -136,13 +138,15 @@ std::string find_load_difference(const Scene& scene, const Card& card, int axis)
 std::string find_law_difference(const Scene& scene, const Card& card, const MirrorMap& map) {
   const auto& model = scene.model;
   // Elements have to know of mirror planes: the rotations of a shell's directors do not.
-  if (model.cell == "shell") return "shell cells have no mirror planes";
+  if (model.cell == CellElement::shell) return "shell cells have no mirror planes";
   if (!map.swaps_families) return "";
   if (!(card.yarn[0] == card.yarn[1])) return "it swaps warp and weft, whose yarns differ";
   const auto differs = [](const auto& rigidity) { return rigidity && (*rigidity)[0] != (*rigidity)[1]; };
-  if (model.cell != "membrane" && (model.cell_bending ? differs(model.cell_bending) : differs(card.bending.rigidity)))
+  if (model.cell != CellElement::membrane &&
+      (model.cell_bending ? differs(model.cell_bending) : differs(card.bending.rigidity)))
     return "it swaps warp and weft, along which the cells bend differently";
-  if (model.formulation == "side-frame") return "it swaps warp and weft, and the side frame follows the warp";
+  if (model.formulation == Formulation::side_frame)
+    return "it swaps warp and weft, and the side frame follows the warp";
   return "";
 }
 

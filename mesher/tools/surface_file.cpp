@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <list>
-#include <map>
 #include <mutex>
 
 #include "core/error.hpp"
@@ -92,12 +91,6 @@ FileSurface read_surface(const fs::path& file, const SurfaceRequest& request) {
     for (double& x : point) x *= request.millimetres;
   surface.chord_error *= request.millimetres;
   return surface;
-}
-
-double millimetres_of(const std::string& unit) {
-  static const std::map<std::string, double> size = {
-      {"", 1.0}, {"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}};
-  return size.at(unit);
 }
 
 }  // namespace weaveform

@@ -29,7 +29,4 @@ struct FileSurface {
 // triangles of once for all who ask in the life of the process, unless a trusted script makes it.
 [[nodiscard]] FileSurface read_surface(const std::filesystem::path& file, const SurfaceRequest& request);
 
-// mm to one of `unit`: "mm", "cm", "m", "inch"; "" is mm.
-[[nodiscard]] double millimetres_of(const std::string& unit);
-
 }  // namespace weaveform

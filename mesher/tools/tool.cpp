@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/error.hpp"
 #include "mesher/tools/surface_file.hpp"
@@ -18,15 +17,6 @@ using Vector = std::array<double, 3>;
 Vector unit(const Vector& a, double sign = 1.0) {
   const double size = std::hypot(a[0], a[1], a[2]);
   return {sign * a[0] / size, sign * a[1] / size, sign * a[2] / size};
-}
-
-ToolShape shape_of(const std::string& word) {
-  static const std::map<std::string, ToolShape> shapes = {
-      {"plane", ToolShape::plane}, {"sphere", ToolShape::sphere},     {"cylinder", ToolShape::cylinder},
-      {"ring", ToolShape::ring},   {"revolved", ToolShape::revolved}, {"triangles", ToolShape::triangles}};
-  const auto found = shapes.find(word);
-  if (found == shapes.end()) throw InputError("no tool has the shape '" + word + "'");
-  return found->second;
 }
 
 // The way the tool faces.
@@ -89,9 +79,9 @@ FileSurface surface_of(const ToolSpec& spec, const Scene& scene, double cell_edg
   const auto file = tool_path(spec.file, scene.file);
   const bool sense_is_ours = surface_kind(file) != SurfaceKind::stl;
   const double tolerance = spec.chord_tolerance.value_or(chord_per_cell * cell_edge);
-  FileSurface surface = read_surface(file, {millimetres_of(spec.unit), tolerance, spec.name});
+  FileSurface surface = read_surface(file, {millimetres_in(spec.unit), tolerance, spec.name});
   TriangleList& list = surface.list;
-  if (spec.unit.empty()) check_proportion(list, spec, scene, where);
+  if (!spec.unit) check_proportion(list, spec, scene, where);
   if (sense_is_ours) {
     list = turned_alike(list, side_of_the_blank(spec, scene));
   }
@@ -108,7 +98,7 @@ Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, doubl
   const std::string where = (scene.file.empty() ? "" : scene.file + ": ") + "[tools." + spec.name + "]";
   Tool tool;
   tool.name = spec.name;
-  tool.shape = shape_of(spec.shape);
+  tool.shape = spec.shape;
   tool.start.axis = unit(spec.axis);
   tool.offset = spec.offset.value_or(0.5 * thickness);
   tool.friction = spec.friction;

@@ -13,8 +13,6 @@
 
 namespace weaveform {
 
-enum class ToolShape { plane, sphere, cylinder, ring, revolved, triangles };
-
 struct Tool {
   std::string name;
   ToolShape shape = ToolShape::plane;

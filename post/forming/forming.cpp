@@ -27,7 +27,7 @@ std::optional<Forming> evaluate_forming(const Scene& scene, const Mesh& mesh, co
   const std::vector<Tool> tools = make_tools(scene, mesh);
   const std::vector<PlacedTool> placed = place_tools(tools, history, fields.time);
   Forming forming;
-  forming.has_bending = scene.model.yarn == "beam" || scene.model.cell != "membrane";
+  forming.has_bending = scene.model.yarn == YarnElement::beam || scene.model.cell != CellElement::membrane;
   forming.axis = part_axis(scene, tools);
   forming.punch = punch_curve(scene, history);
   forming.balance = force_balance(scene, tools, history);

@@ -36,10 +36,6 @@ std::vector<std::size_t> rows_to_show(const std::vector<double>& travel) {
   return shown;
 }
 
-ShearThickness thickness_rule(const ModelSpec& model) {
-  return model.thickness == "constant" ? ShearThickness::constant : ShearThickness::constant_volume;
-}
-
 }  // namespace
 
 BiasComparison compare_bias_extension(const BiasSpecimen& specimen, const Scene& scene, const Card& card,
@@ -55,8 +51,7 @@ BiasComparison compare_bias_extension(const BiasSpecimen& specimen, const Scene&
     BiasRow row;
     row.travel = travel[r];
     row.ideal_angle = sign * kinematic_shear_angle(specimen, travel[r]);
-    row.ideal_load =
-        inextensible_bias_load(specimen, card.shear, card.thickness, thickness_rule(scene.model), travel[r]);
+    row.ideal_load = inextensible_bias_load(specimen, card.shear, card.thickness, scene.model.thickness, travel[r]);
     for (std::size_t g = 0; g < 2; ++g)
       row.load[g] = specimen.outward[g] * history.values(specimen.grip[g] + ".force_N")[r];
     for (const MeasureSpec& measure : scene.measure)

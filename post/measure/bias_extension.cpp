@@ -17,11 +17,11 @@ struct Side {
   double normal;  // sign of the outward normal along the axis
 };
 
-std::optional<Side> side_of(const std::string& edge) {
-  if (edge == "bottom") return Side{1, -1.0};
-  if (edge == "top") return Side{1, 1.0};
-  if (edge == "left") return Side{0, -1.0};
-  if (edge == "right") return Side{0, 1.0};
+std::optional<Side> side_of(std::optional<BlankEdge> edge) {
+  if (edge == BlankEdge::bottom) return Side{1, -1.0};
+  if (edge == BlankEdge::top) return Side{1, 1.0};
+  if (edge == BlankEdge::left) return Side{0, -1.0};
+  if (edge == BlankEdge::right) return Side{0, 1.0};
   return std::nullopt;
 }
 
@@ -36,7 +36,7 @@ double outward_motion(const GripSpec& grip, const Side& side) {
 }
 
 bool holds_in_plane(const GripSpec& grip) {
-  return std::none_of(grip.free.begin(), grip.free.end(), [](const std::string& c) { return c == "x" || c == "y"; });
+  return std::none_of(grip.free.begin(), grip.free.end(), [](Component c) { return c != Component::z; });
 }
 
 bool yarns_at_45(double yarn_angle) {
@@ -45,15 +45,15 @@ bool yarns_at_45(double yarn_angle) {
 
 // The card's stress at a shear angle, times cos gamma when the thickness is constant: the volume then shrinks with the
 // area.
-double effective_stress(const ShearCard& shear, ShearThickness rule, double angle) {
+double effective_stress(const ShearCard& shear, Thickness rule, double angle) {
   const double stress = shear_stress(shear, std::atanh(std::sin(angle)));
-  return rule == ShearThickness::constant ? stress * std::cos(angle) : stress;
+  return rule == Thickness::constant ? stress * std::cos(angle) : stress;
 }
 
 }  // namespace
 
 std::optional<BiasSpecimen> find_bias_extension(const Scene& scene) {
-  if (scene.blank.shape != "rectangle" || !yarns_at_45(scene.blank.yarn_angle) || scene.grip.size() != 2)
+  if (scene.blank.shape != BlankShape::rectangle || !yarns_at_45(scene.blank.yarn_angle) || scene.grip.size() != 2)
     return std::nullopt;
   const GripSpec *low = &scene.grip[0], *high = &scene.grip[1];
   std::optional<Side> low_side = side_of(low->edge), high_side = side_of(high->edge);
@@ -75,8 +75,8 @@ std::optional<BiasSpecimen> find_bias_extension(const Scene& scene) {
   return specimen;
 }
 
-double inextensible_bias_load(const BiasSpecimen& specimen, const ShearCard& shear, double thickness,
-                              ShearThickness rule, double travel) {
+double inextensible_bias_load(const BiasSpecimen& specimen, const ShearCard& shear, double thickness, Thickness rule,
+                              double travel) {
   const double angle = kinematic_shear_angle(specimen, travel);
   if (!(angle < std::numbers::pi / 2.0)) return not_a_number;
   const BiasLoadWeights weights = bias_load_weights(specimen.rectangle(), thickness, angle);

@@ -37,11 +37,9 @@ using ZoneAreas = BiasZones;
   return bias_shear_angle(specimen.rectangle(), travel);
 }
 
-enum class ShearThickness { constant_volume, constant };
-
 // F = t sum_z A_z sigma(gamma_z) cos(gamma_z) d gamma_z / d delta, sigma the card's stress at atanh(sin gamma_z); for a
 // constant thickness each term has another factor cos gamma_z. Not a number where the angle is none or reaches 90 deg.
 [[nodiscard]] double inextensible_bias_load(const BiasSpecimen& specimen, const ShearCard& shear, double thickness,
-                                            ShearThickness rule, double travel);
+                                            Thickness rule, double travel);
 
 }  // namespace weaveform

@@ -46,7 +46,7 @@ FibreState state_of(const Mesh& mesh, const ModelSpec& model, int cell, const st
   state.warp = array_of(warp);
   state.weft = array_of(weft);
   state.shear_angle = std::atan2(warp.dot(weft), warp.cross(weft).norm());
-  state.thickness = model.thickness == "constant-volume" ? mesh.thickness / ratio : mesh.thickness;
+  state.thickness = model.thickness == Thickness::constant_volume ? mesh.thickness / ratio : mesh.thickness;
   state.fibre_mass_ratio = 1.0 / ratio;
   state.fibre_volume_ratio = mesh.thickness / (ratio * state.thickness);
   return state;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/keys/length_unit.hpp"
 #include "mesher/exchange/foreign_mesh.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "solver/result/fields.hpp"
@@ -40,7 +41,7 @@ struct FibreField {
   double greatest_distance = 0.0, mean_distance = 0.0;  // mm; the mean of the shells that are not far
   double within = 0.0;                                  // mm; beyond it a shell is far
   int far = 0;                                          // shells that are
-  std::string unit = "mm";                              // of the file whose shells they are; lengths above stay in mm
+  LengthUnit unit = LengthUnit::mm;                     // of the file whose shells they are; lengths above stay in mm
   int steep = 0;  // elements that the flat warp direction meets within 5 deg of their normal (drape angles are poor)
 };
 
@@ -51,7 +52,7 @@ struct FibreField {
 
 // How a structural mesh lies to the formed fabric.
 struct Onto {
-  std::string unit;                 // of its file, core/keys/length_unit.hpp; "": mm, and asked about when out of proportion
+  std::optional<LengthUnit> unit;   // of its file; none: mm, and asked about when out of proportion
   Vec3 axis = {0.0, 0.0, 1.0};      // first it is turned about this axis through its origin
   double angle = 0.0;               // deg; by the right hand
   Vec3 position = {0.0, 0.0, 0.0};  // mm; then its origin is moved here, into the place it has in the scene

@@ -226,7 +226,7 @@ FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure, cons
   if (structure.shells.empty())
     throw InputError(fmt::format("{}: no shells (triangles, quadrilaterals) to map onto", structure.file));
   const Placed place = placed(structure, onto);
-  if (onto.unit.empty())
+  if (!onto.unit)
     check_proportion(extent_of(place.own, nodes_of(structure.shells)),
                      extent_of(fabric.position, nodes_of(fabric.element)), structure.file);
   FibreField result;
@@ -234,7 +234,7 @@ FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure, cons
   result.flat_thickness = fabric.flat_thickness;
   for (std::size_t f = 0; f < 2; ++f) result.flat_direction[f] = turned_back(fabric.flat_direction[f], place.turn);
   result.source = fabric.source + ", mapped onto " + structure.file;
-  result.unit = onto.unit.empty() ? "mm" : onto.unit;
+  result.unit = onto.unit.value_or(LengthUnit::mm);
   result.within = onto.within.value_or(
       0.5 * std::max(mean_side(structure.shells, place.own), mean_side(fabric.element, fabric.position)));
   Nearest nearest(fabric);

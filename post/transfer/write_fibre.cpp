@@ -35,7 +35,7 @@ std::string n20(double value) {
 std::string fibre_header(const std::string& mark, const FibreField& field, const std::string& written_by,
                          const std::vector<std::string>& not_carried) {
   std::string text = fmt::format("{0} Written by {1}\n{0} Fibre directions of {2}; {3} shells; lengths in {4}\n", mark,
-                                 written_by, field.source, field.element.size(), field.unit);
+                                 written_by, field.source, field.element.size(), name_of(field.unit));
   if (field.greatest_distance > 0.0)
     text += fmt::format("{} Distance from the formed fabric: greatest {:.6g} mm, mean {:.6g} mm\n", mark,
                         field.greatest_distance, field.mean_distance);

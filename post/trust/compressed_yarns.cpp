@@ -20,7 +20,7 @@ void warn_of_compressed_yarns(const FinishedRun& run, Warnings& warnings) {
   const ModelSpec& model = run.scene.model;
   const std::vector<double>& strain = run.end.yarn_strain;
   // a seatbelt alone is asked to bear nothing
-  if (strain.empty() || (model.yarn == "seatbelt" && model.partner == "none")) return;
+  if (strain.empty() || (model.yarn == YarnElement::seatbelt && model.partner == SeatbeltPartner::none)) return;
   const auto least = std::min_element(strain.begin(), strain.end());
   if (*least >= -most_shortening) return;
   const auto element = static_cast<std::size_t>(least - strain.begin());

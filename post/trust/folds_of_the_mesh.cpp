@@ -19,7 +19,8 @@ double folded_share(const Summary& summary) {
 
 void warn_of_folds_of_the_mesh(const FinishedRun& run, Warnings& warnings) {
   const double share = folded_share(run.summary);
-  if (run.scene.model.yarn == "beam" || run.scene.model.cell != "membrane" || share <= 0.0) return;
+  if (run.scene.model.yarn == YarnElement::beam || run.scene.model.cell != CellElement::membrane || share <= 0.0)
+    return;
   warnings.push_back(
       fmt::format("{:.3g} % of the area is wrinkled and the model has no bending stiffness: the folds are as short as "
                   "its cells and grow with refinement; believe that it wrinkles, not how, and set model.cell = "

@@ -22,8 +22,8 @@ void warn_of_formulation(const FinishedRun& run, Warnings& warnings) {
       fmt::format("cells shear to {:.1f} deg, but formulation \"{}\" with thickness \"{}\" returns this card's shear "
                   "force within {:g} % only to {:.1f} deg; at {:.1f} deg it is off by {:+.0f} %; formulation = "
                   "\"energy\" with thickness = \"constant-volume\" returns it at every angle",
-                  reached / degree, model.formulation, model.thickness, 100.0 * unit_cell_tolerance, border / degree,
-                  reached / degree, 100.0 * error));
+                  reached / degree, name_of(model.formulation), name_of(model.thickness), 100.0 * unit_cell_tolerance,
+                  border / degree, reached / degree, 100.0 * error));
 }
 
 }  // namespace weaveform

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 namespace weaveform {
@@ -60,11 +59,9 @@ double side_frame_ratio(const ShearCard& card, double angle) {
          (shear_stress(card, log_shear_strain(angle)) * std::cos(angle));
 }
 
-double constant_volume_ratio(const ShearCard& card, const std::string& formulation, double angle) {
-  if (formulation == "energy" || formulation == "contravariant" || angle == 0.0) return 1.0;
-  if (formulation == "incremental") return incremental_ratio(card, angle);
-  if (formulation == "side-frame") return side_frame_ratio(card, angle);
-  throw std::invalid_argument("no closed form of the unit cell for formulation '" + formulation + "'");
+double constant_volume_ratio(const ShearCard& card, Formulation formulation, double angle) {
+  if (formulation == Formulation::energy || formulation == Formulation::contravariant || angle == 0.0) return 1.0;
+  return formulation == Formulation::incremental ? incremental_ratio(card, angle) : side_frame_ratio(card, angle);
 }
 
 }  // namespace
@@ -73,14 +70,12 @@ double analytical_shear_force(const Card& card, double angle) {
   return card.thickness * shear_stress(card.shear, log_shear_strain(angle));
 }
 
-double closed_form_ratio(const ShearCard& card, const std::string& formulation, const std::string& thickness,
-                         double angle) {
+double closed_form_ratio(const ShearCard& card, Formulation formulation, Thickness thickness, double angle) {
   const double ratio = constant_volume_ratio(card, formulation, std::abs(angle));
-  return thickness == "constant" ? ratio * std::cos(angle) : ratio;
+  return thickness == Thickness::constant ? ratio * std::cos(angle) : ratio;
 }
 
-double formulation_holds_to(const ShearCard& card, const std::string& formulation, const std::string& thickness,
-                            double tolerance) {
+double formulation_holds_to(const ShearCard& card, Formulation formulation, Thickness thickness, double tolerance) {
   constexpr double degree = std::numbers::pi / 180.0;
   constexpr int last = 89;  // deg; gL is 4.7 there, and infinite at 90
   const auto holds = [&](double angle) {

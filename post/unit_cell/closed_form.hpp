@@ -2,9 +2,8 @@
 // docs/unit_cell.md; sigma is the card's stress, gamma the shear angle, gL = atanh(sin gamma) (Eq. 6).
 #pragma once
 
-#include <string>
-
 #include "fabric/card/card.hpp"
+#include "mesher/scene/choices.hpp"
 
 namespace weaveform {
 
@@ -16,14 +15,13 @@ namespace weaveform {
 //   incremental             1 + sin(gamma) w / (sigma(gL) cos^2 gamma),   w = integral_0^gamma sigma(gL') d(sin gamma')
 //   side-frame              [(1 - sin gamma tan gamma) sigma(gamma) + tan(gamma) K] / (sigma(gL) cos gamma),
 //                           K = integral_0^gamma sigma(g') cos g' dg'
-// and cos(gamma) times that at constant thickness. Even in the angle (rad), |angle| < pi/2. Throws
-// std::invalid_argument for a formulation that has no closed form here.
-[[nodiscard]] double closed_form_ratio(const ShearCard& card, const std::string& formulation,
-                                       const std::string& thickness, double angle);
+// and cos(gamma) times that at constant thickness. Even in the angle (rad), |angle| < pi/2.
+[[nodiscard]] double closed_form_ratio(const ShearCard& card, Formulation formulation, Thickness thickness,
+                                       double angle);
 
 // rad; the angle up to which |closed_form_ratio - 1| stays within `tolerance`, found to 1e-9; 89 deg if it never
 // leaves.
-[[nodiscard]] double formulation_holds_to(const ShearCard& card, const std::string& formulation,
-                                          const std::string& thickness, double tolerance);
+[[nodiscard]] double formulation_holds_to(const ShearCard& card, Formulation formulation, Thickness thickness,
+                                          double tolerance);
 
 }  // namespace weaveform

@@ -114,7 +114,7 @@ std::vector<ChartLine> chart_lines(const UnitCellStudy& study) {
   for (const auto& curve : study.curve) {
     const auto& v = curve.variant;
     if (v.shape.name != "square") continue;
-    const std::string kind = study.options.cells.size() > 1 ? v.cell + " " + v.formulation : v.formulation;
+    const std::string kind = (study.options.cells.size() > 1 ? name_of(v.cell) + " " : "") + name_of(v.formulation);
     const auto twin = std::find_if(lines.begin(), lines.end(),
                                    [&](const ChartLine& line) { return same_curve(study, *line.curve, curve); });
     if (twin != lines.end()) {
@@ -124,7 +124,8 @@ std::vector<ChartLine> chart_lines(const UnitCellStudy& study) {
     const auto found = std::find(kinds.begin(), kinds.end(), kind);
     const int colour = static_cast<int>(found - kinds.begin());
     if (found == kinds.end()) kinds.push_back(kind);
-    lines.push_back({&curve, kind, "", v.thickness == "constant" ? ChartMark::dashed : ChartMark::line, colour});
+    lines.push_back(
+        {&curve, kind, "", v.thickness == Thickness::constant ? ChartMark::dashed : ChartMark::line, colour});
   }
   for (auto& line : lines)
     line.label = line.kind + (line.mark == ChartMark::dashed ? ", constant thickness" : ", constant volume");

@@ -24,7 +24,7 @@ ModelSpec model_of(const UnitCellVariant& variant) {
 }
 
 bool counts_in_increments(const UnitCellVariant& variant) {
-  return variant.formulation == "incremental" || variant.formulation == "side-frame";
+  return variant.formulation == Formulation::incremental || variant.formulation == Formulation::side_frame;
 }
 
 std::vector<UnitCellVariant> all_variants(const Card& card, const UnitCellOptions& options) {
@@ -111,7 +111,7 @@ RotationCost rotation_cost(const Card& card, const UnitCellVariant& variant, dou
 }  // namespace
 
 std::string UnitCellVariant::name() const {
-  return shape.name + "." + cell + "." + formulation + "." + thickness;
+  return shape.name + "." + name_of(cell) + "." + name_of(formulation) + "." + name_of(thickness);
 }
 
 std::array<CellShape, 2> cell_shapes(const Card& card) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fabric/card/card.hpp"
+#include "mesher/scene/choices.hpp"
 
 namespace weaveform {
 
@@ -22,14 +23,17 @@ struct CellShape {
 struct UnitCellOptions {
   double to = 0.0;     // rad; shear angle in either sense, 0 < to < pi/2
   int increments = 0;  // from 0 to `to`
-  std::vector<std::string> cells = {"membrane"};
-  std::vector<std::string> formulations = {"energy", "contravariant", "incremental", "side-frame"};
-  std::vector<std::string> thicknesses = {"constant-volume", "constant"};
+  std::vector<CellElement> cells = {CellElement::membrane};
+  std::vector<Formulation> formulations = {Formulation::energy, Formulation::contravariant, Formulation::incremental,
+                                           Formulation::side_frame};
+  std::vector<Thickness> thicknesses = {Thickness::constant_volume, Thickness::constant};
 };
 
 struct UnitCellVariant {
   CellShape shape;
-  std::string cell, formulation, thickness;
+  CellElement cell = CellElement::membrane;
+  Formulation formulation = Formulation::energy;
+  Thickness thickness = Thickness::constant_volume;
   // "square.membrane.energy.constant-volume": heads the variant's columns
   [[nodiscard]] std::string name() const;
 };

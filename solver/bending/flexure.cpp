@@ -42,7 +42,7 @@ void choose_beams(const Card& card, const ModelSpec& model, Flexure& flexure, Mi
 // N mm^2; what a cell adds per yarn, as a constant, or the yarn's own law where nothing else is known.
 TangentLaw cell_law(const Card& card, const ModelSpec& model, int f, Missing& missing) {
   const YarnCard& yarn = card.yarn[f];
-  const bool beams = model.yarn == "beam";
+  const bool beams = model.yarn == YarnElement::beam;
   if (model.cell_bending) return constant_law((*model.cell_bending)[f] * yarn.interval);
   if (card.bending.rigidity) {
     const double borne = !beams                                       ? 0.0
@@ -54,7 +54,7 @@ TangentLaw cell_law(const Card& card, const ModelSpec& model, int f, Missing& mi
   if (beams) return {};
   if (!yarn.bending_out_of_plane.pieces().empty()) return yarn.bending_out_of_plane;
   if (f == 0)
-    missing.push_back("model.cell = \"" + model.cell + "\": card '" + card.name +
+    missing.push_back("model.cell = \"" + name_of(model.cell) + "\": card '" + card.name +
                       "' gives neither bending.rigidity nor bending_out_of_plane; add one to the card, or set "
                       "model.cell_bending = [warp, weft, twist] (N mm)");
   return {};
@@ -98,9 +98,9 @@ void choose_cells(const Card& card, const ModelSpec& model, Flexure& flexure, Mi
 Flexure choose_flexure(const Card& card, const ModelSpec& model) {
   Flexure flexure;
   Missing missing;
-  flexure.rotation_free = model.cell == "rotation-free";
-  flexure.has_shell = model.cell == "shell";
-  if (model.yarn == "beam") choose_beams(card, model, flexure, missing);
+  flexure.rotation_free = model.cell == CellElement::rotation_free;
+  flexure.has_shell = model.cell == CellElement::shell;
+  if (model.yarn == YarnElement::beam) choose_beams(card, model, flexure, missing);
   if (flexure.rotation_free || flexure.has_shell) choose_cells(card, model, flexure, missing);
   if (!missing.empty()) throw InputError(missing);
   for (int f = 0; f < 2; ++f)

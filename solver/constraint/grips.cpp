@@ -45,8 +45,7 @@ std::vector<Grip> make_grips(const Scene& scene, const Mesh& mesh, const PackedM
     grip.travel = spec.travel;
     grip.direction = turned(grip_direction(spec), scene.blank.orientation);
     for (int c = 0; c < 3; ++c) {
-      const std::string component(1, "xyz"[c]);
-      if (std::find(spec.free.begin(), spec.free.end(), component) != spec.free.end()) continue;
+      if (std::find(spec.free.begin(), spec.free.end(), Component{c}) != spec.free.end()) continue;
       Vec3 axis = {0.0, 0.0, 0.0};
       axis[c] = 1.0;
       grip.held.push_back(turned(axis, scene.blank.orientation));

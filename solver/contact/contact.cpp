@@ -15,7 +15,8 @@ namespace {
 constexpr double start_tolerance = 1e-9;  // mm; a start this deep counts as touching
 
 double stiffness_factor(const AnalysisSpec& analysis) {
-  return analysis.contact_stiffness.value_or(analysis.step_bound == "reached" ? contact_stiffness_reached : 1.0);
+  return analysis.contact_stiffness.value_or(analysis.step_bound == StepBound::reached ? contact_stiffness_reached
+                                                                                       : 1.0);
 }
 
 // A cell's area goes to its nodes in equal parts.

@@ -23,7 +23,7 @@ inline constexpr double tool_mass_reached = 4.0;
 // the many springs on it do not set the step, light enough to follow at hundreds of times the speed of any forming
 // process.
 [[nodiscard]] inline double default_tool_mass(const AnalysisSpec& analysis, double blank_mass) {
-  return (analysis.step_bound == "reached" ? tool_mass_reached : 1.0) * blank_mass;
+  return (analysis.step_bound == StepBound::reached ? tool_mass_reached : 1.0) * blank_mass;
 }
 
 // A ply on its contact springs.

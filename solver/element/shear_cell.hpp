@@ -10,12 +10,10 @@
 
 #include <cmath>
 
+#include "mesher/scene/choices.hpp"
 #include "solver/element/vector_log.hpp"
 
 namespace weaveform {
-
-enum class Formulation { energy, contravariant };
-enum class Thickness { constant_volume, constant };
 
 struct CellForce {
   double warp[3];  // N; conjugate to g1, so that node a of the cell gets -(c1_a * warp + c2_a * weft)
@@ -45,6 +43,8 @@ struct KernelShear {
 template <Formulation formulation, Thickness thickness, class Law>
 [[gnu::always_inline]] inline CellForce shear_cell_force(const KernelShear<Law>& law, const double (&g1)[3],
                                                          const double (&g2)[3], double volume) {
+  static_assert(formulation == Formulation::energy || formulation == Formulation::contravariant,
+                "the formulations with a history have kernels of their own (incremental_cell.hpp)");
   // a cell without area, as rows are padded with, may have no directions
   constexpr double least = 1e-12;
   const double length1 = g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2];

@@ -6,11 +6,10 @@
 
 #include <cmath>
 
+#include "mesher/scene/choices.hpp"
 #include "solver/element/vector_log.hpp"
 
 namespace weaveform {
-
-enum class Section { incompressible, constant };
 
 // Force per length, N/L (N/mm): the nodal force is this times the vector between the nodes. `length_squared` is L^2 and
 // `rest` L0, in mm; no square root is needed when the section is incompressible.

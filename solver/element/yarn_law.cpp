@@ -14,8 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using Pieces = std::vector<TangentPiece>;
 
 Pieces tension_pieces(const YarnCard& yarn, const ModelSpec& model) {
-  if (model.yarn_law == "card") return yarn.tension.pieces();
-  const double slack = model.yarn_law == "slack" ? slack_strain(yarn, model) : 0.0;
+  if (model.yarn_law == YarnLaw::card) return yarn.tension.pieces();
+  const double slack = model.yarn_law == YarnLaw::slack ? slack_strain(yarn, model) : 0.0;
   const TangentPiece straight = {slack, infinity, {yarn.linear_modulus}};
   return slack > 0.0 ? Pieces{{0.0, slack, {0.0}}, straight} : Pieces{straight};
 }
@@ -53,7 +53,7 @@ TangentLaw partner_law(const YarnCard& yarn, const ModelSpec& model) {
 }
 
 std::array<TangentLaw, 2> yarn_laws(const Card& card, const ModelSpec& model) {
-  const bool alone = model.yarn == "seatbelt" && model.partner == "none";
+  const bool alone = model.yarn == YarnElement::seatbelt && model.partner == SeatbeltPartner::none;
   std::array<TangentLaw, 2> laws;
   for (std::size_t f = 0; f < laws.size(); ++f) {
     const Pieces below = alone ? Pieces{{-infinity, 0.0, {0.0}}} : compression_pieces(card.yarn[f], model);

@@ -111,22 +111,20 @@ struct FabricForces::Kernels {
         yarn_law{shape_yarn_law(yarn_laws[0], "warp"), shape_yarn_law(yarn_laws[1], "weft")},
         shear(shape_shear_law(card.shear)),
         row_sums{std::vector<YarnSums>(packed_mesh.rows), std::vector<YarnSums>(packed_mesh.rows)},
-        has_history(model.formulation == "incremental" || model.formulation == "side-frame"),
+        has_history(model.formulation == Formulation::incremental || model.formulation == Formulation::side_frame),
         warp_runs(padded_runs(packed_mesh.warp_runs)),
         weft_runs(padded_runs(packed_mesh.weft_runs)),
         cell_runs(has_history ? packed_mesh.cell_runs : padded_runs(packed_mesh.cell_runs)),
         block(balanced_blocks(packed_mesh, its_team.threads())) {
-    const Section section = model.section == "constant" ? Section::constant : Section::incompressible;
-    for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(section, yarn_law[f].is_paper);
-    const Thickness kind = model.thickness == "constant" ? Thickness::constant : Thickness::constant_volume;
+    for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(model.section, yarn_law[f].is_paper);
     if (has_history) {
-      history_cell = history_cell_kernels(model.formulation == "side-frame" ? Frame::side : Frame::green_naghdi, kind,
-                                          shear.is_paper);
+      history_cell =
+          history_cell_kernels(model.formulation == Formulation::side_frame ? Frame::side : Frame::green_naghdi,
+                               model.thickness, shear.is_paper);
       start_history(start);
       start_sheared(model);
     } else {
-      cell = cell_kernels(model.formulation == "contravariant" ? Formulation::contravariant : Formulation::energy, kind,
-                          shear.is_paper);
+      cell = cell_kernels(model.formulation, model.thickness, shear.is_paper);
     }
     for (int t = 0; t < team.threads(); ++t) scratch.emplace_back(packed.stride, has_history);
     for (int c = 0; c < 3; ++c) {
@@ -166,7 +164,7 @@ struct FabricForces::Kernels {
 
   template <class Law>
   void start_sheared_with(const Law& law, const ModelSpec& model) {
-    const bool side = model.formulation == "side-frame", constant = model.thickness == "constant";
+    const bool side = model.formulation == Formulation::side_frame, constant = model.thickness == Thickness::constant;
     const auto start_cell = [&](std::array<Doubles, cell_history_size>& store, std::size_t n, double volume) {
       const double g1[3] = {store[0][n], store[1][n], store[2][n]}, g2[3] = {store[3][n], store[4][n], store[5][n]};
       CellHistory h{};

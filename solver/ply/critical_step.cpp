@@ -57,7 +57,7 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
     : mesh_(mesh),
       shear_(card.shear),
       yarn_laws_(yarn_laws),
-      constant_section_(model.section == "constant"),
+      constant_section_(model.section == Section::constant),
       yarn_shape_(mesh.yarn_count()),
       held_(std::move(held)),
       tied_(mesh.node_count(), 0) {

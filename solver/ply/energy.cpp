@@ -80,11 +80,11 @@ InternalEnergy::InternalEnergy(const Mesh& mesh, const Card& card, const std::ar
       card_(card),
       yarn_laws_(yarn_laws),
       model_(model),
-      potential_(card.shear, model.thickness == "constant") {}
+      potential_(card.shear, model.thickness == Thickness::constant) {}
 
 double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell_work) {
   double energy = 0.0;
-  const bool constant_section = model_.section == "constant";
+  const bool constant_section = model_.section == Section::constant;
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     const auto& a = position[mesh_.yarns.node[e][0]];
     const auto& b = position[mesh_.yarns.node[e][1]];
@@ -94,8 +94,9 @@ double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell
     energy += mesh_.yarns.section[e] * mesh_.yarns.softening[e] * rest *
               yarn_energy(yarn_laws_[f], std::log((length + jaw) / rest), constant_section);
   }
-  if (model_.formulation == "incremental" || model_.formulation == "side-frame") return energy + cell_work;
-  const bool path_needed = model_.formulation == "contravariant";
+  if (model_.formulation == Formulation::incremental || model_.formulation == Formulation::side_frame)
+    return energy + cell_work;
+  const bool path_needed = model_.formulation == Formulation::contravariant;
   const bool first_call = path_.stress.empty();
   if (path_needed && first_call) {
     path_.stress.assign(mesh_.cells.size(), 0.0);
@@ -113,7 +114,7 @@ double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell
     const double volume = mesh_.cells.area[c] * mesh_.thickness;
     energy += volume * potential_(s);
     if (!path_needed) continue;
-    const double thinning = model_.thickness == "constant" ? std::sqrt(std::max(0.0, 1.0 - s * s)) : 1.0;
+    const double thinning = model_.thickness == Thickness::constant ? std::sqrt(std::max(0.0, 1.0 - s * s)) : 1.0;
     const double stress =
         volume * thinning * shear_stress(card_.shear, std::atanh(std::clamp(s, -1.0 + 1e-12, 1.0 - 1e-12))) * s;
     const double log_stretch = std::log(length1 * length2);
@@ -125,7 +126,7 @@ double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell
 }
 
 void InternalEnergy::archive(Archive& archive) {
-  if (model_.formulation != "contravariant") return;
+  if (model_.formulation != Formulation::contravariant) return;
   const auto cells = static_cast<std::size_t>(mesh_.cells.size());
   archive.number("a cell's work", path_.work);
   const std::size_t kept = archive.length("cell stresses", path_.stress.size(), 0, cells);

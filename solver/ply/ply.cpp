@@ -29,7 +29,7 @@ Ply::Ply(const PlySetup& setup)
       critical_step_(mesh_, card_, yarn_laws_, scene_.model, held_nodes(holds_.grips(), mesh_, packed_)),
       internal_energy_(mesh_, card_, yarn_laws_, scene_.model),
       motion_(packed_, damping_, setup.team),
-      reach_(scene_.analysis.step_bound == "stiffest"),
+      reach_(scene_.analysis.step_bound == StepBound::stiffest),
       yarn_limits_(yarn_limits(card_, scene_.model)) {
   fabric_step_ = finite_step(critical_step_(positions(), critical_step_.stiffest(every_strain)).step);
   add_own_actors(setup);

@@ -27,7 +27,7 @@ double yarn_strain_error(const Mesh& mesh, const Card& card, const ModelSpec& mo
   ModelSpec real = model;
   real.yarn_stiffness_scale = 1.0;
   const auto scaled_laws = yarn_laws(card, model), real_laws = yarn_laws(card, real);
-  const bool constant_section = model.section == "constant";
+  const bool constant_section = model.section == Section::constant;
   double greatest = 0.0;
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const std::size_t f = mesh.yarns.family[e] == Family::warp ? 0 : 1;

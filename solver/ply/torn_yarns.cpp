@@ -10,7 +10,7 @@ namespace weaveform {
 
 YarnLimits yarn_limits(const Card& card, const ModelSpec& model) {
   const auto laws = yarn_laws(card, model);
-  const bool constant_section = model.section == "constant";
+  const bool constant_section = model.section == Section::constant;
   YarnLimits limits{};
   for (std::size_t f = 0; f < laws.size(); ++f) {
     const YarnCard& yarn = card.yarn[f];

@@ -140,13 +140,13 @@ void fill_thickness(const Mesh& mesh, const ModelSpec& model, Fields& fields) {
     const double area_ratio = warp * weft * cosine;
     const double gain = area_ratio > 0.0 ? 1.0 / area_ratio : 0.0;
     fields.areal_weight.push_back(gain);
-    fields.thickness.push_back(mesh.thickness * (model.thickness == "constant" ? 1.0 : gain));
+    fields.thickness.push_back(mesh.thickness * (model.thickness == Thickness::constant ? 1.0 : gain));
   }
 }
 
 void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model, Fields& fields) {
   const std::array<TangentLaw, 2> law = yarn_laws(card, model);
-  const bool incompressible = model.section != "constant";
+  const bool incompressible = model.section != Section::constant;
   const std::size_t count = yarns.node.size();
   fields.yarn_strain.resize(count);
   fields.yarn_force.resize(count);

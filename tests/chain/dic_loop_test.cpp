@@ -230,7 +230,7 @@ TEST_F(DicLoop, FollowsASpecimenThatMovedAsAWhole) {
     u = {now[0] - p[0], now[1] - p[1], u[2]};
   }
   dic::RegistrationSpec spec;
-  spec.motion = "free";
+  spec.motion = dic::SpecimenMotion::free;
   spec.angle = 0.0;
   const auto placement = dic::place(stage, simulation, state, spec, 6.0);
   EXPECT_NEAR(placement.reference.angle, 0.0, 5.0 * placement.angle_error);

@@ -62,9 +62,9 @@ const Identity identity = {{"blank.size", "[1, 2]"}, {"card twintex-pw", "00ff",
 test::SmallWorld& world() {
   static test::SmallWorld of_run = [] {
     Scene scene = test::contact_scene({40.0, 40.0}, 2.5);
-    scene.model.cell = "shell";
-    scene.model.formulation = "incremental";
-    scene.tools = {test::make_tool_spec("plate", "plane")};
+    scene.model.cell = CellElement::shell;
+    scene.model.formulation = Formulation::incremental;
+    scene.tools = {test::make_tool_spec("plate", ToolShape::plane)};
     return test::SmallWorld({scene});
   }();
   return of_run;

@@ -69,10 +69,9 @@ void dic_settings(std::string_view bytes) {
 // The mesh of a blank without files, where it is small: as large as was said before, and sound.
 void blank(std::string_view bytes) {
   constexpr double most_cells = 3000.0, most_crossings = 30000.0;
-  constexpr std::array shapes = {"rectangle", "disc", "polygon", "cross"};
   answered([&] {
     Scene read = read_scene_text(text_of(bytes), "scene.toml");
-    if (std::find(shapes.begin(), shapes.end(), read.blank.shape) == shapes.end()) return;
+    if (read.blank.shape == BlankShape::file) return;
     read.tools.clear();
     read.drape.reset();
     const ExpectedSize size = expected_size(read, plain_card());

@@ -107,7 +107,7 @@ Cantilever strip_cantilever(Bender bender, int cells, const TangentLaw& law, dou
   scene.blank.coarsening = {spacing / card.yarn[0].interval, spacing / card.yarn[0].interval};
   GripSpec clamp;
   clamp.name = "clamp";
-  clamp.edge = "left";
+  clamp.edge = BlankEdge::left;
   scene.grip.push_back(clamp);
   Mesh mesh = build_mesh(scene, card);
   std::vector<char> clamped(mesh.node_count(), 0);
@@ -354,7 +354,7 @@ Measured twisted_plate(Bender bender, int cells, double shear) {
   scene.blank.size = {side, side};
   scene.blank.yarn_angle = 0.0;
   scene.blank.coarsening = {k, k};
-  scene.blank.fit = "none";
+  scene.blank.fit = LineFit::none;
   scene.blank.phase = {cells % 2 == 0 ? 0.0 : 0.5, cells % 2 == 0 ? 0.0 : 0.5};  // lines along the edges
   Mesh mesh = build_mesh(scene, card);
   const Flexure flexure = strip_flexure(bender, constant(rigidity), card, shear);

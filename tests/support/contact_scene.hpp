@@ -20,7 +20,7 @@ inline Scene contact_scene(std::array<double, 2> size, double coarsening) {
   return scene;
 }
 
-inline ToolSpec make_tool_spec(const std::string& name, const std::string& shape) {
+inline ToolSpec make_tool_spec(const std::string& name, ToolShape shape) {
   ToolSpec tool;
   tool.name = name;
   tool.shape = shape;
@@ -30,8 +30,8 @@ inline ToolSpec make_tool_spec(const std::string& name, const std::string& shape
 // A small deep drawing: sphere of 20 mm through a ring, 8 x 8 cells.
 inline Scene drawing() {
   Scene scene = contact_scene({120.0, 120.0}, 3.0);
-  ToolSpec binder = make_tool_spec("binder", "ring"), die = make_tool_spec("die", "ring"),
-           punch = make_tool_spec("punch", "sphere");
+  ToolSpec binder = make_tool_spec("binder", ToolShape::ring), die = make_tool_spec("die", ToolShape::ring),
+           punch = make_tool_spec("punch", ToolShape::sphere);
   binder.axis = {0.0, 0.0, -1.0};
   binder.opening_radius = die.opening_radius = 24.0;
   binder.force = 50.0;

@@ -26,8 +26,8 @@ struct FabricPatch {
   std::array<TangentLaw, 2> laws;
 
   explicit FabricPatch(const std::string& material = "twintex-pw", double yarn_angle = 30.0,
-                       std::array<double, 2> size = {60.0, 80.0}, const std::string& formulation = "energy",
-                       const std::string& thickness = "constant-volume", const std::string& section = "incompressible")
+                       std::array<double, 2> size = {60.0, 80.0}, Formulation formulation = Formulation::energy,
+                       Thickness thickness = Thickness::constant_volume, Section section = Section::incompressible)
       : scene(make_scene(material, yarn_angle, size, formulation, thickness, section)),
         card(load_card(material)),
         mesh(build_mesh(scene, card)),
@@ -36,7 +36,7 @@ struct FabricPatch {
         laws(yarn_laws(card, scene.model)) {}
 
   static Scene make_scene(const std::string& material, double yarn_angle, std::array<double, 2> size,
-                          const std::string& formulation, const std::string& thickness, const std::string& section) {
+                          Formulation formulation, Thickness thickness, Section section) {
     Scene scene;
     scene.fabric.material = material;
     scene.blank.yarn_angle = yarn_angle;

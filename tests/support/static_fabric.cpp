@@ -28,7 +28,7 @@ Card symmetric(Card card) {
 }
 
 ModelSpec linear(ModelSpec model) {
-  model.yarn_law = "linear";
+  model.yarn_law = YarnLaw::linear;
   return model;
 }
 

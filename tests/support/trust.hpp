@@ -35,8 +35,8 @@ inline Scene strip_scene(const std::string& material, std::array<double, 2> size
   scene.blank.yarn_angle = 0.0;
   scene.blank.coarsening = {coarsening, coarsening};
   GripSpec left, right;
-  left.name = left.edge = "left";
-  right.name = right.edge = "right";
+  left.name = "left", left.edge = BlankEdge::left;
+  right.name = "right", right.edge = BlankEdge::right;
   right.travel = travel;
   scene.grip = {left, right};
   scene.output = {.frames = 0, .history = 100, .contour_step = 5.0};

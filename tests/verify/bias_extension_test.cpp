@@ -151,7 +151,7 @@ TEST(BiasExtension, AStepAboveTheStableOneIsRefusedAndItsBlowUpIsCaught) {
   EXPECT_THROW(Solved{scene}, PhysicsError);
   scene.analysis.step_check = false;
   scene.analysis.step_factor = 2.5;
-  scene.model.yarn_law = "linear";
+  scene.model.yarn_law = YarnLaw::linear;
   EXPECT_THROW(Solved{scene}, PhysicsError);
 }
 

@@ -17,7 +17,7 @@ using namespace test;
 // A square of fabric on a plane, its weight leaning by `slope` = tan(angle).
 Scene incline(double slope, double friction, double duration) {
   Scene scene = contact_scene({40.0, 40.0}, 2.0);
-  ToolSpec plane = make_tool_spec("plane", "plane");
+  ToolSpec plane = make_tool_spec("plane", ToolShape::plane);
   plane.friction = friction;
   scene.tools = {plane};
   const double angle = std::atan(slope);
@@ -77,7 +77,7 @@ TEST(Capstan, TensionGrowsByTheExponentialOfFrictionTimesAngle) {
 // Two plates, the upper one pushed by a force.
 Scene press(double force) {
   Scene scene = contact_scene({100.0, 100.0}, 4.0);
-  ToolSpec lower = make_tool_spec("lower", "plane"), upper = make_tool_spec("upper", "plane");
+  ToolSpec lower = make_tool_spec("lower", ToolShape::plane), upper = make_tool_spec("upper", ToolShape::plane);
   upper.axis = {0.0, 0.0, -1.0};
   upper.force = force;
   lower.friction = upper.friction = 0.3;
@@ -103,9 +103,9 @@ TEST(Press, PullingTheStripOutTakesFrictionOnBothFaces) {
   Scene scene = press(100.0);
   GripSpec grip;
   grip.name = "pull";
-  grip.edge = "right";
+  grip.edge = BlankEdge::right;
   grip.travel = 10.0;
-  grip.free = {"z"};
+  grip.free = {Component::z};
   scene.grip = {grip};
   scene.analysis.duration = 0.2;
   scene.analysis.damping = 10.0;

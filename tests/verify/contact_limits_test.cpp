@@ -78,7 +78,7 @@ TEST(Drawing, PunchFromAnStlFileDrawsLikeItsFormula) {
   const double smooth = run(scene).history.values("punch.force_N").back();
   scene.file = (folder.path() / "scene.toml").string();
   ToolSpec& punch = scene.tools[2];
-  punch.shape = "triangles";
+  punch.shape = ToolShape::triangles;
   punch.radius.reset();
   punch.file = "ball.stl";
   punch.position = {{0.0, 0.0, 20.25}};
@@ -90,7 +90,7 @@ TEST(Drawing, PunchFromAnStlFileDrawsLikeItsFormula) {
 // Mirrored and turned by a quarter: the square blank on round tools has the symmetry of the square.
 TEST(Drawing, KeepsTheFourFoldSymmetry) {
   Scene scene = drawing();
-  scene.model.symmetry = "none";
+  scene.model.symmetry = SymmetryUse::none;
   const Mesh mesh = build_mesh(scene, load_card(scene.fabric.material));
   const auto position = run(scene).position;
   double worst = 0.0;
@@ -161,7 +161,7 @@ TEST(Drawing, BinderWithoutDampingOfItsOwnStillHoldsItsForce) {
 
 TEST(Drawing, PlatesThatCloseOnTheFabricStop) {
   Scene scene = contact_scene({60.0, 60.0}, 3.0);
-  ToolSpec lower = make_tool_spec("lower", "plane"), upper = make_tool_spec("upper", "plane");
+  ToolSpec lower = make_tool_spec("lower", ToolShape::plane), upper = make_tool_spec("upper", ToolShape::plane);
   upper.axis = {0.0, 0.0, -1.0};
   upper.travel = 2.0;
   scene.tools = {lower, upper};

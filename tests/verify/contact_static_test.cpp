@@ -8,6 +8,7 @@
 
 #include "solver/contact/contact.hpp"
 #include "solver/ply/ply.hpp"
+#include "tests/support/chosen.hpp"
 #include "tests/support/contact_scene.hpp"
 
 namespace weaveform {
@@ -22,7 +23,8 @@ Scene held_net() {
   Scene scene = contact_scene({120.0, 120.0}, 2.0);
   for (const char* edge : {"left", "right", "bottom", "top"}) {
     GripSpec grip;
-    grip.name = grip.edge = edge;
+    grip.name = edge;
+    grip.edge = test::chosen(edge);
     scene.grip.push_back(grip);
   }
   return scene;
@@ -128,7 +130,7 @@ TEST(HeldNet, ForceOfAPressedSphereIsThatOfTheStaticSolution) {
   NetOnSphere net(scene);
   const double expected = minimise(net, net.start(), 1e-3);
 
-  ToolSpec sphere = make_tool_spec("sphere", "sphere");
+  ToolSpec sphere = make_tool_spec("sphere", ToolShape::sphere);
   sphere.radius = radius;
   sphere.travel = depth;
   scene.tools = {sphere};

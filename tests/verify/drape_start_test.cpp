@@ -74,7 +74,7 @@ TEST(DrapedStart, FreeOnASphereItSpringsBackAndTheEnergyBalanceHolds) {
   EXPECT_LT(s.result.statistics.energy_error, 0.01);
 }
 
-class ShearedHistory : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+class ShearedHistory : public testing::TestWithParam<std::tuple<Formulation, Thickness>> {};
 
 // Started sheared, or sheared from flat in many small steps: the same forces and the same work.
 TEST_P(ShearedHistory, StartsWithTheStressOfItsAngle) {
@@ -114,8 +114,8 @@ TEST_P(ShearedHistory, StartsWithTheStressOfItsAngle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations, ShearedHistory,
-                         testing::Combine(testing::Values("incremental", "side-frame"),
-                                          testing::Values("constant-volume", "constant")));
+                         testing::Combine(testing::Values(Formulation::incremental, Formulation::side_frame),
+                                          testing::Values(Thickness::constant_volume, Thickness::constant)));
 
 }  // namespace
 }  // namespace weaveform

@@ -42,7 +42,7 @@ struct Coverage {
   double whole = 0.0;            // share of seeds in which the whole curve lies in its band
 };
 
-Coverage coverage_of(const ShearCurve& truth, const Noise& noise, int specimens, const std::string& form) {
+Coverage coverage_of(const ShearCurve& truth, const Noise& noise, int specimens, FormAsked form) {
   Coverage coverage{std::vector<double>(50, 0.0), 0.0};
   for (int seed = 0; seed < seeds; ++seed) {
     std::mt19937 random(static_cast<unsigned>(seed));
@@ -66,7 +66,7 @@ const ShearCurve plain_weave{{0.0, 0.264, -0.533, 0.313, 0.42}, {}};
 class ShearBand : public testing::TestWithParam<int> {};
 
 TEST_P(ShearBand, CoversTheTruthAtEveryAngleAndAsAWhole) {
-  const Coverage coverage = coverage_of(plain_weave, {}, GetParam(), "polynomial");
+  const Coverage coverage = coverage_of(plain_weave, {}, GetParam(), FormAsked::polynomial);
   for (std::size_t i = 0; i < coverage.at_angle.size(); ++i)
     EXPECT_GE(coverage.at_angle[i], least_share) << i + 1 << " deg";
   EXPECT_GE(coverage.whole, least_share);
@@ -80,7 +80,7 @@ TEST_P(ShearBandOfOne, CoversThatSpecimensOwnLaw) {
   Noise noise;
   noise.factor = 0.0;  // nothing a single specimen could tell
   noise.correlation = GetParam();
-  const Coverage coverage = coverage_of(plain_weave, noise, 1, "polynomial");
+  const Coverage coverage = coverage_of(plain_weave, noise, 1, FormAsked::polynomial);
   double mean = 0.0;
   for (const double share : coverage.at_angle) mean += share / 50.0;
   EXPECT_GE(mean, least_share);
@@ -89,7 +89,7 @@ TEST_P(ShearBandOfOne, CoversThatSpecimensOwnLaw) {
 INSTANTIATE_TEST_SUITE_P(Correlations, ShearBandOfOne, testing::Values(0.0, 0.5, 0.8));
 
 TEST(ShearBand, IsNotFarWiderThanNeeded) {
-  const Coverage coverage = coverage_of(plain_weave, {}, 5, "polynomial");
+  const Coverage coverage = coverage_of(plain_weave, {}, 5, FormAsked::polynomial);
   // Student's t is exact for normal scatter: 95 % is meant, not 100 %.
   double mean = 0.0;
   for (const double share : coverage.at_angle) mean += share / 50.0;
@@ -108,7 +108,7 @@ TEST(ModulusInterval, CoversTheTruthForAFewSpecimensAndForOne) {
       test.name = "yarn";
       test.strain_column = "x";
       test.stress_column = "y";
-      test.stress = "nominal";
+      test.stress = StressKind::nominal;
       test.elastic_range = {0.001, 0.018};
       for (int k = 0; k < specimens; ++k) {
         const double own = modulus * (1.0 + (specimens > 1 ? 0.03 * normal(random) : 0.0));

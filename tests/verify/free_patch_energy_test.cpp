@@ -6,6 +6,7 @@
 #include <random>
 
 #include "solver/ply/ply.hpp"
+#include "tests/support/chosen.hpp"
 #include "tests/support/fabric_patch.hpp"
 
 namespace weaveform {
@@ -55,10 +56,10 @@ public:
 
 private:
   static Scene with_elements(const std::string& yarn, const std::string& cell) {
-    Scene scene =
-        FabricPatch::make_scene("twintex-pw", 30.0, {40.0, 45.0}, "energy", "constant-volume", "incompressible");
-    scene.model.yarn = yarn;
-    scene.model.cell = cell;
+    Scene scene = FabricPatch::make_scene("twintex-pw", 30.0, {40.0, 45.0}, Formulation::energy,
+                                          Thickness::constant_volume, Section::incompressible);
+    scene.model.yarn = test::chosen(yarn);
+    scene.model.cell = test::chosen(cell);
     return scene;
   }
 

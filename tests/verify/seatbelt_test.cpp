@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "solver/unit_cell.hpp"
+#include "tests/support/chosen.hpp"
 #include "tests/support/scene_run.hpp"
 #include "tests/support/yarn_chain.hpp"
 
@@ -34,9 +35,9 @@ INSTANTIATE_TEST_SUITE_P(All, FallingChain,
 TEST_P(FallingChain, GoesSlackAndTautAgainWithoutMakingEnergy) {
   const Card card = load_card("twintex-pw");
   ModelSpec model;
-  model.yarn = "seatbelt";
-  model.yarn_law = std::get<0>(GetParam());
-  model.partner = std::get<1>(GetParam());
+  model.yarn = YarnElement::seatbelt;
+  model.yarn_law = test::chosen(std::get<0>(GetParam()));
+  model.partner = test::chosen(std::get<1>(GetParam()));
   model.yarn_stiffness_scale = 0.01;  // a ten times longer step: more of the fall in as many steps
   const AnalysisSpec analysis;
   constexpr double length = 5.0;  // mm
@@ -75,8 +76,8 @@ TEST_P(FallingChain, GoesSlackAndTautAgainWithoutMakingEnergy) {
 TEST(BouncingMass, FliesFreelyBetweenBouncesOfTheClosedFormPeriod) {
   const Card card = load_card("twintex-pw");
   ModelSpec model;
-  model.yarn = "seatbelt";
-  model.yarn_law = "linear";
+  model.yarn = YarnElement::seatbelt;
+  model.yarn_law = YarnLaw::linear;
   constexpr double length = 50.0, fall = 30.0, mass = 1e-5, gravity = 9810.0;  // mm, mm, tonne, mm/s^2
   Chain chain(test::chain_mesh(1, length, card.yarn[0].section, mass), card, model, 0.0, 0.01, {0.0, 0.0, -gravity},
               [](int n) {
@@ -106,13 +107,13 @@ TEST(UnitCellYarns, PureShearIsTheSameForEveryYarn) {
       for (const double angle : {60.0, -60.0}) {
         const UnitCellMotion motion{angle * std::numbers::pi / 180.0, 60, 0.3};
         ModelSpec model;
-        model.formulation = formulation;
+        model.formulation = test::chosen(formulation);
         const auto truss = shear_unit_cell(card, model, sides, motion);
         for (const char* law : {"card", "linear", "slack"})
           for (const char* partner : {"none", "compression"}) {
-            model.yarn = "seatbelt";
-            model.yarn_law = law;
-            model.partner = partner;
+            model.yarn = YarnElement::seatbelt;
+            model.yarn_law = test::chosen(law);
+            model.partner = test::chosen(partner);
             const auto seatbelt = shear_unit_cell(card, model, sides, motion);
             for (std::size_t n = 0; n < truss.size(); ++n)
               EXPECT_NEAR(seatbelt[n].force, truss[n].force, 1e-9 * std::abs(truss[n].force))

@@ -23,7 +23,7 @@ constexpr double border = 0.01;
 // A strip pressed between plates and pulled out slowly.
 Scene pressed(double mass, double damping) {
   Scene scene = contact_scene({60.0, 60.0}, 3.0);
-  ToolSpec lower = make_tool_spec("lower", "plane"), upper = make_tool_spec("upper", "plane");
+  ToolSpec lower = make_tool_spec("lower", ToolShape::plane), upper = make_tool_spec("upper", ToolShape::plane);
   upper.axis = {0.0, 0.0, -1.0};
   upper.force = force;
   upper.mass = mass;
@@ -31,9 +31,9 @@ Scene pressed(double mass, double damping) {
   scene.tools = {lower, upper};
   GripSpec grip;
   grip.name = "pull";
-  grip.edge = "right";
+  grip.edge = BlankEdge::right;
   grip.travel = 1.0;
-  grip.free = {"z"};
+  grip.free = {Component::z};
   scene.grip = {grip};
   scene.analysis.duration = duration;
   return scene;

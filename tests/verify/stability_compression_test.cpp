@@ -19,11 +19,11 @@ constexpr double strip_length = 118.08;  // mm; twelve cells of the plain weave 
 // A strip pressed together by `shortening` mm between clamps. A thousandth of its weight lets it leave its plane;
 // linear yarns, for those of the card have no stiffness to hold that little at zero strain; a tenth of theirs, for the
 // time.
-Scene pressed(double shortening, double coarsening, const std::string& yarn, const std::string& cell) {
+Scene pressed(double shortening, double coarsening, YarnElement yarn, CellElement cell) {
   Scene scene = test::strip_scene("twintex-pw", {strip_length, 59.04}, coarsening, -shortening);
   scene.model.yarn = yarn;
   scene.model.cell = cell;
-  scene.model.yarn_law = "linear";
+  scene.model.yarn_law = YarnLaw::linear;
   scene.model.yarn_stiffness_scale = 0.1;
   scene.analysis.gravity = {0.0, 0.0, -10.0};
   scene.analysis.duration = 0.5;
@@ -41,7 +41,7 @@ double euler_rigidity(const Scene& scene) {
 }
 
 void set_rigidity(Scene& scene, double rigidity) {
-  if (scene.model.yarn == "beam")
+  if (scene.model.yarn == YarnElement::beam)
     scene.model.yarn_bending = {0.0, rigidity * load_card(scene.fabric.material).yarn[0].interval};
   else
     scene.model.cell_bending = {rigidity, rigidity, 0.1 * rigidity};
@@ -54,9 +54,10 @@ Folds folds_of(const Solved& run) {
 // bench/stability/euler.toml finds the border within 8 % of Euler's rigidity, on every mesh and for every element. A
 // buckle grows slowly near it, hence the 0.7.
 TEST(StabilityCompression, SheetsThatBendBuckleAtEulersStrainOnEveryMesh) {
-  for (const auto& [yarn, cell, coarsening] :
-       {std::tuple{"beam", "membrane", 4.0}, std::tuple{"beam", "membrane", 2.0}, std::tuple{"truss", "shell", 2.0},
-        std::tuple{"truss", "rotation-free", 4.0}}) {
+  for (const auto& [yarn, cell, coarsening] : {std::tuple{YarnElement::beam, CellElement::membrane, 4.0},
+                                               std::tuple{YarnElement::beam, CellElement::membrane, 2.0},
+                                               std::tuple{YarnElement::truss, CellElement::shell, 2.0},
+                                               std::tuple{YarnElement::truss, CellElement::rotation_free, 4.0}}) {
     SCOPED_TRACE(testing::Message() << yarn << " + " << cell << ", coarsening " << coarsening);
     Scene scene = pressed(0.1, coarsening, yarn, cell);
     const double euler = euler_rigidity(scene), half_thickness = 0.25;  // N mm, mm
@@ -75,11 +76,11 @@ TEST(StabilityCompression, SheetsThatBendBuckleAtEulersStrainOnEveryMesh) {
 TEST(StabilityCompression, AMembraneFoldsFromCellToCellAndSaysSo) {
   for (const double coarsening : {4.0, 2.0}) {
     SCOPED_TRACE(coarsening);
-    const Solved membrane(pressed(2.0, coarsening, "truss", "membrane"));
+    const Solved membrane(pressed(2.0, coarsening, YarnElement::truss, CellElement::membrane));
     EXPECT_GT(folds_of(membrane).zigzag_share, 0.2);
     EXPECT_TRUE(test::says(test::warnings_of(membrane), "no bending stiffness"));
   }
-  Scene scene = pressed(2.0, 2.0, "truss", "rotation-free");
+  Scene scene = pressed(2.0, 2.0, YarnElement::truss, CellElement::rotation_free);
   set_rigidity(scene, 0.25 * euler_rigidity(scene));
   const Solved sheet(scene);
   EXPECT_GT(folds_of(sheet).out_of_plane, 5.0);
@@ -89,7 +90,7 @@ TEST(StabilityCompression, AMembraneFoldsFromCellToCellAndSaysSo) {
 
 // Pressed by a quarter of its length the membrane turns cells over.
 TEST(StabilityCompression, CellsThatAreTurnedOverAreToldOf) {
-  Scene scene = pressed(30.0, 4.0, "truss", "membrane");
+  Scene scene = pressed(30.0, 4.0, YarnElement::truss, CellElement::membrane);
   scene.analysis.duration = 0.2;
   scene.analysis.damping.reset();
   const Solved run(scene);

@@ -19,10 +19,14 @@ using test::Solved;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-const std::vector<std::pair<const char*, const char*>> variants = {
-    {"energy", "constant-volume"},      {"energy", "constant"},      {"contravariant", "constant-volume"},
-    {"incremental", "constant-volume"}, {"incremental", "constant"}, {"side-frame", "constant-volume"},
-    {"side-frame", "constant"}};
+const std::vector<std::pair<Formulation, Thickness>> variants = {
+    {Formulation::energy, Thickness::constant_volume},
+    {Formulation::energy, Thickness::constant},
+    {Formulation::contravariant, Thickness::constant_volume},
+    {Formulation::incremental, Thickness::constant_volume},
+    {Formulation::incremental, Thickness::constant},
+    {Formulation::side_frame, Thickness::constant_volume},
+    {Formulation::side_frame, Thickness::constant}};
 
 // One cell, sheared by the solver's inner loop in fine increments (0.05 deg), returned over analytical force.
 double returned_ratio(const Card& card, const ModelSpec& model, double angle, int increments) {
@@ -30,7 +34,7 @@ double returned_ratio(const Card& card, const ModelSpec& model, double angle, in
   return points.back().force / analytical_shear_force(card, angle);
 }
 
-ModelSpec model_of(const std::pair<const char*, const char*>& variant) {
+ModelSpec model_of(const std::pair<Formulation, Thickness>& variant) {
   ModelSpec model;
   model.formulation = variant.first;
   model.thickness = variant.second;
@@ -51,7 +55,8 @@ TEST(StabilityFormulation, TheBorderOfEveryCardLiesWhereTheCellOfTheInnerLoopLea
     for (const auto& variant : variants) {
       const double border =
           formulation_holds_to(card.shear, variant.first, variant.second, unit_cell_tolerance) / degree;
-      SCOPED_TRACE(testing::Message() << variant.first << ' ' << variant.second << " border " << border);
+      SCOPED_TRACE(testing::Message() << name_of(variant.first) << ' ' << name_of(variant.second) << " border "
+                                      << border);
       const auto off = [&](double angle) {
         return std::abs(returned_ratio(card, model_of(variant), angle * degree, static_cast<int>(20.0 * angle)) - 1.0);
       };
@@ -65,9 +70,9 @@ TEST(StabilityFormulation, TheBorderOfEveryCardLiesWhereTheCellOfTheInnerLoopLea
 
 TEST(StabilityFormulation, EnergyAndContravariantHaveNoBorderAndConstantThicknessHasThatOfItsCosine) {
   for (const Card& card : cards())
-    for (const char* formulation : {"energy", "contravariant"}) {
-      EXPECT_EQ(formulation_holds_to(card.shear, formulation, "constant-volume", 0.05), 89.0 * degree);
-      EXPECT_NEAR(formulation_holds_to(card.shear, formulation, "constant", 0.05), std::acos(0.95), 1e-8);
+    for (const Formulation formulation : {Formulation::energy, Formulation::contravariant}) {
+      EXPECT_EQ(formulation_holds_to(card.shear, formulation, Thickness::constant_volume, 0.05), 89.0 * degree);
+      EXPECT_NEAR(formulation_holds_to(card.shear, formulation, Thickness::constant, 0.05), std::acos(0.95), 1e-8);
     }
 }
 
@@ -81,8 +86,8 @@ TEST(StabilityFormulation, IncrementsAloneCostAPercentFromAboutSixDegreesOn) {
       const double exact = closed_form_ratio(card.shear, model.formulation, model.thickness, 60.0 * degree);
       return std::abs(returned_ratio(card, model, 60.0 * degree, increments) / exact - 1.0);
     };
-    SCOPED_TRACE(testing::Message() << variant.first << ' ' << variant.second);
-    if (model.formulation == "energy" || model.formulation == "contravariant") {
+    SCOPED_TRACE(testing::Message() << name_of(variant.first) << ' ' << name_of(variant.second));
+    if (model.formulation == Formulation::energy || model.formulation == Formulation::contravariant) {
       EXPECT_LT(error(1), 1e-9) << "no increments";
       continue;
     }
@@ -103,9 +108,10 @@ TEST(StabilityFormulation, ARunBeyondTheCardsBorderIsWarnedAndOneBelowIsNot) {
       scene.model.formulation = variant.first;
       scene.model.thickness = variant.second;
       scene.frame->travel = frame_displacement({scene.frame->length, scene.blank.size[0]}, angle);
-      return test::says(test::warnings_of(Solved(scene)), variant.first);
+      return test::says(test::warnings_of(Solved(scene)), name_of(variant.first));
     };
-    SCOPED_TRACE(testing::Message() << variant.first << ' ' << variant.second << ' ' << border / degree);
+    SCOPED_TRACE(testing::Message() << name_of(variant.first) << ' ' << name_of(variant.second) << ' '
+                                    << border / degree);
     EXPECT_FALSE(warned(std::min(0.9 * border, 55.0 * degree)));
     if (border < 50.0 * degree) {
       EXPECT_TRUE(warned(1.1 * border));

@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "solver/element/yarn_law.hpp"
 #include "solver/ply/critical_step.hpp"
+#include "tests/support/chosen.hpp"
 #include "tests/support/trust.hpp"
 
 namespace weaveform {
@@ -124,9 +125,9 @@ TEST(StabilityStepFactor, EveryElementHoldsToTheBoundAndNoFurther) {
        {std::pair{"beam", "membrane"}, std::pair{"seatbelt", "membrane"}, std::pair{"truss", "rotation-free"},
         std::pair{"truss", "shell"}, std::pair{"beam", "shell"}}) {
     Scene scene = pulled(0.001, 1.0);
-    scene.model.yarn_law = "linear";
-    scene.model.yarn = yarn;
-    scene.model.cell = cell;
+    scene.model.yarn_law = YarnLaw::linear;
+    scene.model.yarn = test::chosen(yarn);
+    scene.model.cell = test::chosen(cell);
     scene.analysis.gravity = {0.0, 0.0,
                               -100.0};  // mm/s2; a hundredth of its weight, so that it leaves its plane at all
     SCOPED_TRACE(testing::Message() << yarn << " + " << cell);
@@ -139,9 +140,9 @@ TEST(StabilityStepFactor, EveryElementHoldsToTheBoundAndNoFurther) {
 TEST(StabilityStepFactor, ShellsHaveABorderOfTheirOwnWhereYarnsHaveNone) {
   Scene scene = pulled(0.008, 2.9);
   scene.analysis.gravity = {0.0, 0.0, -100.0};
-  scene.model.cell = "rotation-free";
+  scene.model.cell = CellElement::rotation_free;
   EXPECT_LT(Solved{scene}.result.statistics.energy_error, 0.01);
-  scene.model.cell = "shell";
+  scene.model.cell = CellElement::shell;
   EXPECT_THROW(Solved{scene}, PhysicsError);
   scene.analysis.step_factor = 2.3;
   EXPECT_LT(Solved{scene}.result.statistics.energy_error, 0.01);

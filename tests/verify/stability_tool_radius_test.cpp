@@ -91,7 +91,7 @@ TEST(ToolRadius, AChordTellsTheRadiusThatItCuts) {
 TEST(ToolRadius, APinThatPokesThroughBetweenTheYarnsIsSeen) {
   Scene scene = contact_scene({90.0, 90.0}, 6.0);
   scene.blank.phase = {0.5, 0.5};
-  ToolSpec pin = make_tool_spec("pin", "sphere");
+  ToolSpec pin = make_tool_spec("pin", ToolShape::sphere);
   pin.radius = 4.0;
   pin.travel = 15.0;
   scene.tools = {pin};

@@ -9,9 +9,9 @@
 namespace weaveform {
 namespace {
 
-Scene bias_extension(const std::string& fabric, const std::string& bound, const std::vector<std::string>& more = {}) {
+Scene bias_extension(const std::string& fabric, StepBound bound, const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {"fabric.material=" + fabric, "blank.coarsening=4", "output.frames=0",
-                                        "analysis.step_bound=" + bound};
+                                        "analysis.step_bound=" + name_of(bound)};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return test::example("bias_extension_pw", overrides);
 }
@@ -20,7 +20,8 @@ Scene bias_extension(const std::string& fabric, const std::string& bound, const 
 // are ten times what was measured for either fabric, and a tenth of what halving the loading speed changes.
 TEST(StepBound, ReachedStrainsGiveTheSameBiasExtensionInAFractionOfTheSteps) {
   for (const std::string fabric : {"twintex-pw", "twintex-tw"}) {
-    const test::Solved all(bias_extension(fabric, "stiffest")), reached(bias_extension(fabric, "reached"));
+    const test::Solved all(bias_extension(fabric, StepBound::stiffest)),
+        reached(bias_extension(fabric, StepBound::reached));
     EXPECT_LT(reached.result.statistics.steps, all.result.statistics.steps / 4) << fabric;
     EXPECT_NEAR(reached.last("top.force_N"), all.last("top.force_N"), 1e-3 * all.last("top.force_N")) << fabric;
     EXPECT_NEAR(reached.last("center.shear_angle_deg"), all.last("center.shear_angle_deg"), 0.02) << fabric;
@@ -31,8 +32,8 @@ TEST(StepBound, ReachedStrainsGiveTheSameBiasExtensionInAFractionOfTheSteps) {
 // A law that is as stiff at zero strain as anywhere gives the bound nothing to follow.
 TEST(StepBound, LinearYarnsTakeTheSameStepsToTheSameBits) {
   const std::vector<std::string> linear = {"model.yarn_law=linear", "grip.top.travel=3"};
-  const test::Solved all(bias_extension("twintex-pw", "stiffest", linear)),
-      reached(bias_extension("twintex-pw", "reached", linear));
+  const test::Solved all(bias_extension("twintex-pw", StepBound::stiffest, linear)),
+      reached(bias_extension("twintex-pw", StepBound::reached, linear));
   EXPECT_EQ(reached.result.statistics.steps, all.result.statistics.steps);
   EXPECT_EQ(reached.result.history.row, all.result.history.row);
 }
@@ -41,8 +42,8 @@ TEST(StepBound, LinearYarnsTakeTheSameStepsToTheSameBits) {
 // slack; a step that followed each yarn's own tangent would be caught out by every snap.
 TEST(StepBound, YarnsThatSnapTautKeepTheEnergyBalance) {
   for (const std::string yarn : {"truss", "seatbelt"}) {
-    const test::Solved run(
-        bias_extension("twintex-pw", "reached", {"model.yarn_law=slack", "model.yarn=" + yarn, "grip.top.travel=20"}));
+    const test::Solved run(bias_extension("twintex-pw", StepBound::reached,
+                                          {"model.yarn_law=slack", "model.yarn=" + yarn, "grip.top.travel=20"}));
     // one step of a snap is made before the step knows of it: 0.6 % measured, a tenth of the limit that stops a run
     EXPECT_LT(run.result.statistics.energy_error, 0.01) << yarn;
   }
@@ -51,7 +52,7 @@ TEST(StepBound, YarnsThatSnapTautKeepTheEnergyBalance) {
 TEST(StepBound, ReachedStrainsGiveTheSameDeepDrawing) {
   Scene scene = test::drawing();
   const SolveResult all = test::run(scene);
-  scene.analysis.step_bound = "reached";
+  scene.analysis.step_bound = StepBound::reached;
   scene.analysis.contact_stiffness = 1.0;
   const SolveResult reached = test::run(scene), threads = test::run(scene, 2);
   EXPECT_LT(reached.statistics.steps, all.statistics.steps);
@@ -68,7 +69,7 @@ TEST(StepBound, ReachedStrainsGiveTheSameDeepDrawing) {
 // drawing whose nodes slide.
 TEST(Subcycling, BendingEveryFourthStepGivesTheSameDeepDrawing) {
   Scene scene = test::drawing();
-  scene.model.cell = "rotation-free";
+  scene.model.cell = CellElement::rotation_free;
   const SolveResult always = test::run(scene);
   scene.analysis.bending_every = 4;
   const SolveResult seldom = test::run(scene);

@@ -19,7 +19,7 @@ struct Pair {
 
 Pair solve_both(Scene scene) {
   const SolveResult part = run(scene);
-  scene.model.symmetry = "none";
+  scene.model.symmetry = SymmetryUse::none;
   return {part, run(scene)};
 }
 
@@ -65,15 +65,15 @@ TEST(Symmetry, AQuarterIsTheWholeToRounding) {
        }},
       {"beams and cells that bend",
        [](Scene& s) {
-         s.model.yarn = "beam";
+         s.model.yarn = YarnElement::beam;
          s.model.yarn_bending = {{300.0, 200.0}};
-         s.model.cell = "rotation-free";
+         s.model.cell = CellElement::rotation_free;
          s.model.cell_bending = {{30.0, 40.0, 20.0}};
        }},
-      {"incremental", [](Scene& s) { s.model.formulation = "incremental"; }},
+      {"incremental", [](Scene& s) { s.model.formulation = Formulation::incremental; }},
       {"contravariant, under its weight",
        [](Scene& s) {
-         s.model.formulation = "contravariant";
+         s.model.formulation = Formulation::contravariant;
          s.analysis.gravity = {0.0, 0.0, -9810.0};
        }},
   };
@@ -131,9 +131,9 @@ TEST(Symmetry, AHalfDrawsLikeTheWhole) {
   scene.analysis.loading_speed = 1200.0;
   for (const bool forced : {true, false}) {
     if (forced)
-      scene.model.symmetry = "half";
+      scene.model.symmetry = SymmetryUse::half;
     else {  // gravity along x leaves y = 0 alone
-      scene.model.symmetry = "auto";
+      scene.model.symmetry = SymmetryUse::automatic;
       scene.analysis.gravity = {2000.0, 0.0, 0.0};
     }
     const auto [part, whole] = solve_both(scene);
@@ -148,9 +148,9 @@ TEST(Symmetry, BiasExtensionsPulledAtOneOrBothEndsAgree) {
   Scene scene = example("bias_extension_pw", {"blank.coarsening=4", "output.history=20"});
   for (const bool both : {false, true}) {
     if (both) scene.grip[0].travel = scene.grip[1].travel = 15.0;
-    scene.model.symmetry = "auto";
+    scene.model.symmetry = SymmetryUse::automatic;
     const Solved part(scene);
-    scene.model.symmetry = "none";
+    scene.model.symmetry = SymmetryUse::none;
     const Solved whole(scene);
     EXPECT_EQ(part.result.statistics.symmetry, both ? "quarter" : "half");
     expect_same_history(part.result.history, whole.result.history, 1e-9, both ? "both ends" : "one end");

@@ -20,14 +20,14 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 
 // Card, shape (0 square, 1 rectangular), thickness.
-using Case = std::tuple<const char*, int, const char*>;
+using Case = std::tuple<const char*, int, Thickness>;
 
 class UnitCell : public testing::TestWithParam<Case> {
 protected:
   [[nodiscard]] static Card card() { return load_card(std::get<0>(GetParam())); }
   [[nodiscard]] static std::array<double, 2> sides() { return cell_shapes(card())[std::get<1>(GetParam())].sides; }
-  [[nodiscard]] static std::string thickness() { return std::get<2>(GetParam()); }
-  [[nodiscard]] static std::vector<UnitCellPoint> run(const std::string& formulation, const UnitCellMotion& motion) {
+  [[nodiscard]] static Thickness thickness() { return std::get<2>(GetParam()); }
+  [[nodiscard]] static std::vector<UnitCellPoint> run(Formulation formulation, const UnitCellMotion& motion) {
     ModelSpec model;
     model.formulation = formulation;
     model.thickness = thickness();
@@ -37,43 +37,44 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(All, UnitCell,
                          testing::Combine(testing::Values("twintex-pw", "twintex-tw"), testing::Values(0, 1),
-                                          testing::Values("constant-volume", "constant")));
+                                          testing::Values(Thickness::constant_volume, Thickness::constant)));
 
 // 1e-9: the angle of a nodal position rounded at 1e-16 of its size is exact to 1e-16 / 0.5 deg; 1e-13 of the strain.
 TEST_P(UnitCell, WholeStressFormulationsReturnTheInputAtEveryAngle) {
   const Card fabric = card();
-  for (const char* formulation : {"energy", "contravariant"})
+  for (const Formulation formulation : {Formulation::energy, Formulation::contravariant})
     for (const double to : {70.0 * degree, -70.0 * degree})
       for (const auto& point : run(formulation, {to, 140, 0.0})) {
         // Eq. 6 as printed, not the closed form the code uses
         const double log_strain = -std::log(std::tan(std::numbers::pi / 4.0 - point.angle / 2.0));
         double expected = fabric.thickness * shear_stress(fabric.shear, log_strain);
-        if (thickness() == "constant") expected *= std::cos(point.angle);
+        if (thickness() == Thickness::constant) expected *= std::cos(point.angle);
         EXPECT_NEAR(point.force, expected, 1e-9 * std::abs(expected))
-            << formulation << " at " << point.angle / degree << " deg";
+            << name_of(formulation) << " at " << point.angle / degree << " deg";
       }
 }
 
 // 1280 increments to 60 deg of 0.05 deg each: their error, of second order, is below (1e-3)^2 times a factor of
 // order 1.
 TEST_P(UnitCell, IncrementsTendToTheClosedForm) {
-  for (const char* formulation : {"incremental", "side-frame"})
+  for (const Formulation formulation : {Formulation::incremental, Formulation::side_frame})
     for (const auto& point : run(formulation, {60.0 * degree, 1280, 0.0})) {
       if (point.angle < 1.0 * degree) continue;
       const double ratio = point.force / analytical_shear_force(card(), point.angle);
       EXPECT_NEAR(ratio, closed_form_ratio(card().shear, formulation, thickness(), point.angle), 1e-5)
-          << formulation << " at " << point.angle / degree << " deg";
+          << name_of(formulation) << " at " << point.angle / degree << " deg";
     }
 }
 
 TEST_P(UnitCell, NegativeAnglesMirrorPositiveOnes) {
-  for (const char* formulation : {"energy", "contravariant", "incremental", "side-frame"}) {
+  for (const Formulation formulation :
+       {Formulation::energy, Formulation::contravariant, Formulation::incremental, Formulation::side_frame}) {
     const auto positive = run(formulation, {70.0 * degree, 70, 0.0});
     const auto negative = run(formulation, {-70.0 * degree, 70, 0.0});
     // scale: the analytical force, for the returned one passes through zero in the side frame
     for (std::size_t n = 0; n < positive.size(); ++n)
       EXPECT_NEAR(positive[n].force, -negative[n].force, 1e-11 * analytical_shear_force(card(), positive[n].angle))
-          << formulation << " at " << positive[n].angle / degree << " deg";
+          << name_of(formulation) << " at " << positive[n].angle / degree << " deg";
   }
 }
 
@@ -81,15 +82,16 @@ TEST_P(UnitCell, NegativeAnglesMirrorPositiveOnes) {
 // to second order.
 TEST_P(UnitCell, ForceDoesNotKnowOfARigidRotation) {
   const double to = 45.0 * degree, turn = 90.0 * degree;
-  const auto difference = [&](const char* formulation, int increments) {
+  const auto difference = [&](Formulation formulation, int increments) {
     const double still = run(formulation, {to, increments, 0.0}).back().force;
     return std::abs(run(formulation, {to, increments, turn}).back().force / still - 1.0);
   };
-  for (const char* formulation : {"energy", "contravariant"}) EXPECT_LT(difference(formulation, 1), 1e-12);
-  for (const char* formulation : {"incremental", "side-frame"}) {
+  for (const Formulation formulation : {Formulation::energy, Formulation::contravariant})
+    EXPECT_LT(difference(formulation, 1), 1e-12);
+  for (const Formulation formulation : {Formulation::incremental, Formulation::side_frame}) {
     const double coarse = difference(formulation, 100), fine = difference(formulation, 200);
-    EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.05) << formulation;
-    EXPECT_LT(difference(formulation, 3200), 1e-6) << formulation;
+    EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.05) << name_of(formulation);
+    EXPECT_LT(difference(formulation, 3200), 1e-6) << name_of(formulation);
   }
 }
 
@@ -99,9 +101,12 @@ TEST(UnitCellClosedForm, GivesTheRatiosWorkedOutForThePlainWeave) {
   const std::map<double, double> constant_volume = {{30.0, 1.171}, {45.0, 1.244}, {60.0, 1.385}};
   const std::map<double, double> constant = {{30.0, 1.014}, {45.0, 0.880}, {60.0, 0.693}};
   for (const auto& [angle, ratio] : constant_volume)
-    EXPECT_NEAR(closed_form_ratio(shear, "incremental", "constant-volume", angle * degree), ratio, 1e-3) << angle;
+    EXPECT_NEAR(closed_form_ratio(shear, Formulation::incremental, Thickness::constant_volume, angle * degree), ratio,
+                1e-3)
+        << angle;
   for (const auto& [angle, ratio] : constant)
-    EXPECT_NEAR(closed_form_ratio(shear, "incremental", "constant", angle * degree), ratio, 1e-3) << angle;
+    EXPECT_NEAR(closed_form_ratio(shear, Formulation::incremental, Thickness::constant, angle * degree), ratio, 1e-3)
+        << angle;
 }
 
 // The defining integrals over the tangent (docs/unit_cell.md, before integration by parts), by Simpson's rule.
@@ -126,8 +131,10 @@ TEST_P(ClosedForm, IncrementalIsTheIntegralOverItsHistory) {
     const double normal = simpson(end, [&](double g) { return std::tanh(g) * shear_tangent(shear, g); });
     const double stress = shear_stress(shear, end);
     const double ratio = (stress - std::sin(angle) * normal) / (stress * cosine * cosine);
-    EXPECT_NEAR(closed_form_ratio(shear, "incremental", "constant-volume", angle), ratio, 1e-9) << angle / degree;
-    EXPECT_NEAR(closed_form_ratio(shear, "incremental", "constant", -angle), ratio * cosine, 1e-9) << angle / degree;
+    EXPECT_NEAR(closed_form_ratio(shear, Formulation::incremental, Thickness::constant_volume, angle), ratio, 1e-9)
+        << angle / degree;
+    EXPECT_NEAR(closed_form_ratio(shear, Formulation::incremental, Thickness::constant, -angle), ratio * cosine, 1e-9)
+        << angle / degree;
   }
 }
 
@@ -138,8 +145,10 @@ TEST_P(ClosedForm, SideFrameIsTheIntegralOverItsHistory) {
     const double along = simpson(angle, [&](double g) { return shear_tangent(shear, g); });
     const double normal = simpson(angle, [&](double g) { return std::sin(g) * shear_tangent(shear, g); });
     const double ratio = (along - std::tan(angle) * normal) / (shear_stress(shear, end) * cosine);
-    EXPECT_NEAR(closed_form_ratio(shear, "side-frame", "constant-volume", angle), ratio, 1e-9) << angle / degree;
-    EXPECT_NEAR(closed_form_ratio(shear, "side-frame", "constant", -angle), ratio * cosine, 1e-9) << angle / degree;
+    EXPECT_NEAR(closed_form_ratio(shear, Formulation::side_frame, Thickness::constant_volume, angle), ratio, 1e-9)
+        << angle / degree;
+    EXPECT_NEAR(closed_form_ratio(shear, Formulation::side_frame, Thickness::constant, -angle), ratio * cosine, 1e-9)
+        << angle / degree;
   }
 }
 
@@ -148,24 +157,26 @@ TEST_P(ClosedForm, SideFrameIsTheIntegralOverItsHistory) {
 TEST(UnitCellClosedForm, HoldsForAFrictionLikeStart) {
   Card card = load_card("twintex-pw");
   card.shear.start = {0.05, 1e-3};
-  for (const char* formulation : {"incremental", "side-frame"}) {
+  for (const Formulation formulation : {Formulation::incremental, Formulation::side_frame}) {
     ModelSpec model;
     model.formulation = formulation;
     const double angle = 50.0 * degree;
     const double force = shear_unit_cell(card, model, {5.0, 5.0}, {angle, 40000, 0.0}).back().force;
     // increments of 2e-5 against a rise of 1e-3: the midpoint rule's error is about (2e-5/1e-3)^2/24 of the plateau
     EXPECT_NEAR(force / analytical_shear_force(card, angle),
-                closed_form_ratio(card.shear, formulation, "constant-volume", angle), 1e-5)
-        << formulation;
+                closed_form_ratio(card.shear, formulation, Thickness::constant_volume, angle), 1e-5)
+        << name_of(formulation);
   }
 }
 
 TEST(UnitCellClosedForm, IsOneAtTheFlatCell) {
   const ShearCard shear = load_card("twintex-pw").shear;
-  for (const char* formulation : {"energy", "contravariant", "incremental", "side-frame"})
-    for (const char* thickness : {"constant-volume", "constant"})
+  for (const Formulation formulation :
+       {Formulation::energy, Formulation::contravariant, Formulation::incremental, Formulation::side_frame})
+    for (const Thickness thickness : {Thickness::constant_volume, Thickness::constant})
       // errors begin with gamma^2: 1e-8 at 1e-4
-      EXPECT_NEAR(closed_form_ratio(shear, formulation, thickness, 1e-4), 1.0, 1e-7) << formulation << thickness;
+      EXPECT_NEAR(closed_form_ratio(shear, formulation, thickness, 1e-4), 1.0, 1e-7)
+          << name_of(formulation) << name_of(thickness);
 }
 
 class Study : public testing::Test {
@@ -179,7 +190,7 @@ protected:
     }();
     return done;
   }
-  static const UnitCellCurve& curve(const std::string& formulation, const std::string& thickness) {
+  static const UnitCellCurve& curve(Formulation formulation, Thickness thickness) {
     const auto found = std::find_if(study().curve.begin(), study().curve.end(), [&](const UnitCellCurve& c) {
       return c.variant.formulation == formulation && c.variant.thickness == thickness &&
              c.variant.shape.name == "square";
@@ -217,9 +228,9 @@ TEST_F(Study, AngleHeldIsWhereTheClosedFormLeavesTheTolerance) {
 }
 
 TEST_F(Study, SideFrameTurnsNegativeBeforeSixtyDegrees) {
-  for (const char* thickness : {"constant-volume", "constant"}) {
-    EXPECT_GT(error_at(study(), curve("side-frame", thickness), 45.0 * degree), -1.0);
-    EXPECT_LT(error_at(study(), curve("side-frame", thickness), 60.0 * degree), -1.0);
+  for (const Thickness thickness : {Thickness::constant_volume, Thickness::constant}) {
+    EXPECT_GT(error_at(study(), curve(Formulation::side_frame, thickness), 45.0 * degree), -1.0);
+    EXPECT_LT(error_at(study(), curve(Formulation::side_frame, thickness), 60.0 * degree), -1.0);
   }
 }
 

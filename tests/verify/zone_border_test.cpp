@@ -59,7 +59,7 @@ Border border_of(const test::Solved& run) {
 Border bias_extension(double bending) {
   Scene scene = test::example("bias_extension_pw", {"blank.coarsening=2"});
   if (bending > 0.0) {
-    scene.model.yarn = "beam";
+    scene.model.yarn = YarnElement::beam;
     scene.model.yarn_bending = {bending, 5.0};
   }
   return border_of(test::Solved(scene));

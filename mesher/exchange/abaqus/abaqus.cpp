@@ -25,7 +25,7 @@ void add_list(std::string& out, const std::vector<int>& numbers) {
 }
 
 bool is_shell(const Gathered& model) {
-  return model.scene.model.cell != "membrane";
+  return model.scene.model.cell != CellElement::membrane;
 }
 
 void add_mesh(const Gathered& model, std::string& out) {
@@ -35,7 +35,7 @@ void add_mesh(const Gathered& model, std::string& out) {
     const auto& x = mesh.nodes.position[n];
     out += fmt::format("{}, {}, {}, {}\n", n + 1, num(x[0]), num(x[1]), num(x[2]));
   }
-  const char* line_type = model.scene.model.yarn == "beam" ? "B31" : "T3D2";
+  const char* line_type = model.scene.model.yarn == YarnElement::beam ? "B31" : "T3D2";
   for (const auto& group : model.yarns) {
     out += fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", line_type, group.name);
     for (const int e : group.element)
@@ -115,7 +115,7 @@ void add_yarn_materials(const Gathered& model, std::string& out) {
 }
 
 void add_sections(const Gathered& model, std::string& out) {
-  const bool beam = model.scene.model.yarn == "beam";
+  const bool beam = model.scene.model.yarn == YarnElement::beam;
   for (const auto& group : model.yarns) {
     const std::string material =
         std::string(group.family == 0 ? "YARN_WARP" : "YARN_WEFT") + (group.idle ? "_IDLE" : "");

@@ -288,9 +288,9 @@ void list_losses(const Gathered& model, std::vector<std::string>& lost) {
   lost.push_back(
       "cells: two springs across each with the shear law's table: exact while yarns keep their length; stretching "
       "yarns by e also takes about G e^2 per volume, G the shear law's tangent");
-  if (model.scene.model.yarn == "beam") lost.push_back("model.yarn = \"beam\": bending of the yarns");
-  if (model.scene.model.cell == "shell" || model.scene.model.cell == "rotation-free")
-    lost.push_back(fmt::format("model.cell = \"{}\": bending of the cells", model.scene.model.cell));
+  if (model.scene.model.yarn == YarnElement::beam) lost.push_back("model.yarn = \"beam\": bending of the yarns");
+  if (model.scene.model.cell == CellElement::shell || model.scene.model.cell == CellElement::rotation_free)
+    lost.push_back(fmt::format("model.cell = \"{}\": bending of the cells", name_of(model.scene.model.cell)));
   for (const auto& motion : model.tools)
     lost.push_back(
         fmt::format("tool '{}': not written; contact of nodes on springs with rigid tools did not converge in CalculiX",

@@ -20,11 +20,11 @@ Card10& Card10::r(double value) {
   return *this;
 }
 
-YarnElement Deck::yarn_element() const {
-  const std::string& yarn = model.scene.model.yarn;
-  if (yarn == "seatbelt") return YarnElement::seatbelt;
-  if (yarn == "beam") return YarnElement::beam;
-  return materials == Materials::built_in ? YarnElement::spring : YarnElement::truss;
+LineElement Deck::yarn_element() const {
+  const YarnElement yarn = model.scene.model.yarn;
+  if (yarn == YarnElement::seatbelt) return LineElement::seatbelt;
+  if (yarn == YarnElement::beam) return LineElement::beam;
+  return materials == Materials::built_in ? LineElement::spring : LineElement::truss;
 }
 
 int Deck::first_tool_node(std::size_t k) const {
@@ -39,11 +39,11 @@ int Deck::first_tool_shell(std::size_t k) const {
   return number;
 }
 
-std::vector<YarnPart> yarn_parts(const Gathered& model, YarnElement element) {
+std::vector<YarnPart> yarn_parts(const Gathered& model, LineElement element) {
   const auto& rest = model.mesh.yarns.rest_length;
   std::vector<YarnPart> parts;
   for (const auto& group : model.yarns) {
-    if (element != YarnElement::spring) {
+    if (element != LineElement::spring) {
       parts.push_back({&group, group.name, 0.0, group.element});
       continue;
     }
@@ -87,10 +87,10 @@ std::string line_of(long number, int part, long a, long b) {
 }
 
 void add_yarns(const Deck& deck, std::string& out) {
-  const YarnElement kind = deck.yarn_element();
-  if (kind == YarnElement::spring)
+  const LineElement kind = deck.yarn_element();
+  if (kind == LineElement::spring)
     out += "*ELEMENT_DISCRETE\n$    eid     pid      n1      n2     vid               s      pf          offset\n";
-  else if (kind == YarnElement::seatbelt)
+  else if (kind == LineElement::seatbelt)
     out += "*ELEMENT_SEATBELT\n$    eid     pid      n1      n2    sbrid                          slen\n";
   else
     out += "*ELEMENT_BEAM\n$    eid     pid      n1      n2      n3\n";
@@ -98,11 +98,11 @@ void add_yarns(const Deck& deck, std::string& out) {
     for (const int e : deck.yarns[part].element) {
       const auto& n = deck.model.mesh.yarns.node[e];
       out += line_of(e + 1, static_cast<int>(part) + 1, n[0] + 1, n[1] + 1);
-      if (kind == YarnElement::spring)  // s: factor on the curve, which is a stress
+      if (kind == LineElement::spring)  // s: factor on the curve, which is a stress
         out += fmt::format("{:>8}{:>16}{:>8}{:>16}", 0, fit(deck.yarns[part].group->section, 16), 0, "0.0");
       else
-        out += fmt::format("{:>8}", kind == YarnElement::beam ? deck.model.node_beside(e) + 1 : 0);
-      if (kind == YarnElement::seatbelt) out += fmt::format("{:>16}", "0.0");
+        out += fmt::format("{:>8}", kind == LineElement::beam ? deck.model.node_beside(e) + 1 : 0);
+      if (kind == LineElement::seatbelt) out += fmt::format("{:>16}", "0.0");
       out += "\n";
     }
 }
@@ -148,7 +148,7 @@ void add_masses(const Deck& deck, std::string& out) {
                        fit(mesh.nodes.mass[node] * deck.model.scene.analysis.mass_scale, 16));
   };
   std::vector<int> nodes;
-  if (deck.yarn_element() == YarnElement::spring)
+  if (deck.yarn_element() == LineElement::spring)
     for (int n = 0; n < mesh.node_count(); ++n) nodes.push_back(n);
   else if (mesh.frame.present())
     nodes.assign(mesh.frame.corner.begin(), mesh.frame.corner.end());
@@ -174,7 +174,7 @@ void add_sets(const Deck& deck, std::string& out) {
   std::vector<int> all(model.mesh.node_count());
   for (std::size_t n = 0; n < all.size(); ++n) all[n] = static_cast<int>(n);
   add_node_set(deck.all_nodes(), "all_nodes", all, out);
-  const char* kind = deck.yarn_element() == YarnElement::spring ? "DISCRETE" : "BEAM";
+  const char* kind = deck.yarn_element() == LineElement::spring ? "DISCRETE" : "BEAM";
   for (std::size_t f = 0; f < 2; ++f) {
     out += fmt::format("*SET_{}_TITLE\n{}\n", kind, f == 0 ? "warp" : "weft");
     Card10(out).i(static_cast<long>(f) + 1);
@@ -203,30 +203,31 @@ void add_ties(const Deck& deck, std::string& out) {
 
 void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
   const ModelSpec& spec = deck.model.scene.model;
-  if (deck.yarn_element() == YarnElement::spring) {
+  if (deck.yarn_element() == LineElement::spring) {
     amend(lost, "jaws:", "; written so");
     replace(lost, "masses:",
             "masses: every node has Weaveform's own, as *ELEMENT_MASS; the shells add a thousandth of the fabric's");
   }
-  if (deck.yarn_element() == YarnElement::spring)
+  if (deck.yarn_element() == LineElement::spring)
     lost.push_back("yarns: discrete springs with the law's curve, jaws included, and the nodes' own masses");
-  if (deck.yarn_element() == YarnElement::beam)
+  if (deck.yarn_element() == LineElement::beam)
     lost.push_back(
         "yarns: beams are linear, with the card's linear modulus and the same in compression; decrimping, slack, "
         "jaws and a bending law beyond its initial stiffness are lost; bending is right (I = EI/E)");
-  if (deck.yarn_element() == YarnElement::seatbelt)
+  if (deck.yarn_element() == LineElement::seatbelt)
     lost.push_back(
         "yarns: seatbelts with the tension law's curve of 100 points; jaws are lost, so that the elements in "
         "them are stiffer");
-  if (deck.yarn_element() == YarnElement::seatbelt && spec.partner == "compression")
+  if (deck.yarn_element() == LineElement::seatbelt && spec.partner == SeatbeltPartner::compression)
     lost.push_back("model.partner = \"compression\": a seatbelt carries tension only; the partner is not written");
   lost.push_back(
       "cells: *MAT_FABRIC, FORM 14, with the shear law as second Piola-Kirchhoff stress over Green shear strain "
       "2 E12: exact for the law by that measure, whose factor of 2 is as the manual's engineering strain and was not "
       "run; *MAT_VISCOELASTIC_LOOSE_FABRIC and *MAT_MICROMECHANICS_DRY_FABRIC have laws of their own that the card's "
       "is not one of");
-  if (spec.cell != "membrane")
-    lost.push_back(fmt::format("model.cell = \"{}\": bending of the cells; *MAT_FABRIC is for membranes", spec.cell));
+  if (spec.cell != CellElement::membrane)
+    lost.push_back(
+        fmt::format("model.cell = \"{}\": bending of the cells; *MAT_FABRIC is for membranes", name_of(spec.cell)));
 }
 
 }  // namespace

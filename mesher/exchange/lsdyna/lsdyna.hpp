@@ -53,7 +53,7 @@ struct YarnPart {
   std::vector<int> element;
 };
 
-enum class YarnElement { spring, beam, truss, seatbelt };
+enum class LineElement { spring, beam, truss, seatbelt };
 
 struct Deck {
   const Gathered& model;
@@ -62,7 +62,7 @@ struct Deck {
   std::vector<ToolMesh> tool;  // as model.tools; without shells: written as a rigid wall
   std::vector<YarnPart> yarns;
 
-  [[nodiscard]] YarnElement yarn_element() const;
+  [[nodiscard]] LineElement yarn_element() const;
   // Parts and sections: the yarns' from 1, then these.
   [[nodiscard]] int cell_part() const { return static_cast<int>(yarns.size()) + 1; }
   [[nodiscard]] int member_part() const { return cell_part() + 1; }
@@ -79,7 +79,7 @@ struct Deck {
   [[nodiscard]] int first_tool_shell(std::size_t k) const;
 };
 
-[[nodiscard]] std::vector<YarnPart> yarn_parts(const Gathered& model, YarnElement element);
+[[nodiscard]] std::vector<YarnPart> yarn_parts(const Gathered& model, LineElement element);
 
 void add_curve(int curve, const std::string& what, const Points& points, std::string& out);
 

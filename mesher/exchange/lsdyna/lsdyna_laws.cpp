@@ -53,17 +53,17 @@ void add_beam_section(const Deck& deck, int id, const YarnGroup& group, std::str
 
 void add_yarn_section(const Deck& deck, int id, const YarnPart& part, std::string& out) {
   switch (deck.yarn_element()) {
-    case YarnElement::spring:
+    case LineElement::spring:
       add_discrete_section(id, out);
       break;
-    case YarnElement::seatbelt:
+    case LineElement::seatbelt:
       out += "*SECTION_SEATBELT\n$#    secid      area\n";
       Card10(out).i(id).r(part.group->section);
       break;
-    case YarnElement::beam:
+    case LineElement::beam:
       add_beam_section(deck, id, *part.group, out);
       break;
-    case YarnElement::truss:
+    case LineElement::truss:
       out += "*SECTION_BEAM\n$#    secid    elform; area\n";
       Card10(out).i(id).i(3);
       Card10(out).r(part.group->section);
@@ -74,9 +74,9 @@ void add_yarn_section(const Deck& deck, int id, const YarnPart& part, std::strin
 int yarn_material(const Deck& deck, int part) {
   const YarnGroup& group = *deck.yarns[static_cast<std::size_t>(part) - 1].group;
   switch (deck.yarn_element()) {
-    case YarnElement::spring:
+    case LineElement::spring:
       return springs + part;
-    case YarnElement::seatbelt:
+    case LineElement::seatbelt:
       return seatbelts + part;
     default:
       return (group.idle ? idle_warp : warp) + static_cast<int>(group.family);
@@ -146,7 +146,7 @@ void add_bar_materials(const Deck& deck, std::vector<std::string>& lost, std::st
       if (idle && !has_idle(model, f)) continue;
       const int id = (idle ? idle_warp : warp) + static_cast<int>(f);
       const double ro = idle ? density / idle_share : density;
-      if (deck.yarn_element() == YarnElement::truss) {
+      if (deck.yarn_element() == LineElement::truss) {
         add_user_material(idle ? name + "_idle" : name, id, 41, ro, yarn_constants(model, f), lost, out);
         continue;
       }
@@ -241,7 +241,7 @@ void add_parts(const Deck& deck, std::string& out) {
   }
   add_part("cells", deck.cell_part(), deck.cell_part(), fabric, out);
   // 5: Belytschko-Tsay membrane; 6: S/R Hughes-Liu, for a user material that bends
-  const bool bends = deck.materials == Materials::user && model.scene.model.cell != "membrane";
+  const bool bends = deck.materials == Materials::user && model.scene.model.cell != CellElement::membrane;
   out += "*SECTION_SHELL\n$#    secid    elform      shrf       nip\n";
   Card10(out).i(deck.cell_part()).i(bends ? 6 : 5).r(1.0).i(bends ? 3 : 1);
   const double t = model.mesh.thickness;
@@ -256,7 +256,7 @@ void add_parts(const Deck& deck, std::string& out) {
 void add_materials(const Deck& deck, std::vector<std::string>& lost, std::string& out) {
   const Gathered& model = deck.model;
   switch (deck.yarn_element()) {
-    case YarnElement::spring:
+    case LineElement::spring:
       for (std::size_t k = 0; k < deck.yarns.size(); ++k) {
         const int id = springs + static_cast<int>(k) + 1;
         add_nonlinear_spring(id, id, out);
@@ -264,7 +264,7 @@ void add_materials(const Deck& deck, std::vector<std::string>& lost, std::string
                   spring_curve(model, deck.yarns[k]), out);
       }
       break;
-    case YarnElement::seatbelt:
+    case LineElement::seatbelt:
       add_seatbelt_materials(deck, out);
       break;
     default:

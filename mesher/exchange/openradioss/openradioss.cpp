@@ -63,7 +63,7 @@ void add_nodes(const Deck& deck, std::string& out) {
 
 void add_yarns(const Deck& deck, std::string& out) {
   const Gathered& model = deck.model;
-  const bool beam = model.scene.model.yarn == "beam";
+  const bool beam = model.scene.model.yarn == YarnElement::beam;
   const char* keyword = deck.yarns_are_springs() ? "SPRING" : (beam ? "BEAM" : "TRUSS");
   for (std::size_t g = 0; g < model.yarns.size(); ++g) {
     out += fmt::format("/{}/{}\n", keyword, g + 1);
@@ -146,11 +146,11 @@ void list_built_in(const Deck& deck, std::vector<std::string>& lost) {
         fmt::format("cells: the shear curve falls, which the starter refuses; it is held level there, by at "
                     "most {:.3g} MPa",
                     changed));
-  if (spec.cell != "membrane")
+  if (spec.cell != CellElement::membrane)
     lost.push_back(
         fmt::format("model.cell = \"{}\": the cells' bending and transverse shear are not written; the "
                     "fabric law ties them to its fibres, which are the yarns here",
-                    spec.cell));
+                    name_of(spec.cell)));
 }
 
 void list_user(const Deck& deck, std::vector<std::string>& lost) {
@@ -161,7 +161,8 @@ void list_user(const Deck& deck, std::vector<std::string>& lost) {
   lost.push_back(
       "yarns: the code takes no user material on trusses and beams, so they are linear, with the card's linear modulus "
       "and the same in compression; decrimping and jaws are lost, the law stands in the comments");
-  if (deck.model.scene.model.yarn == "seatbelt") lost.push_back("model.yarn = \"seatbelt\": written as trusses");
+  if (deck.model.scene.model.yarn == YarnElement::seatbelt)
+    lost.push_back("model.yarn = \"seatbelt\": written as trusses");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ struct Deck {
   [[nodiscard]] int first_tool_shell(std::size_t k) const;
   // Springs with the law's table instead of bars or beams.
   [[nodiscard]] bool yarns_are_springs() const {
-    return materials == Materials::built_in && model.scene.model.yarn != "beam";
+    return materials == Materials::built_in && model.scene.model.yarn != YarnElement::beam;
   }
 };
 

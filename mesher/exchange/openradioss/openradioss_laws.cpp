@@ -78,7 +78,7 @@ void add_yarn_parts(const Deck& deck, std::string& out) {
       const double mass = model.yarn_density(group.family) * group.whole_section * model.scene.analysis.mass_scale;
       add_spring(id, group.name, group.section, mass, yarn_stiffness(model, group.family), group.jaw_stretch,
                  warp_law + static_cast<int>(group.family), out);
-    } else if (model.scene.model.yarn == "beam") {
+    } else if (model.scene.model.yarn == YarnElement::beam) {
       add_beam(model, id, group, out);
     } else {
       out += fmt::format("/PROP/TRUSS/{}\n{}\n#               Area              Gapini\n", id, group.name) +
@@ -113,8 +113,8 @@ void add_orthotropic_property(const Deck& deck, std::string& out) {
   out += "#                 hm                  hf                  hr                  dm                  dn\n" +
          r20(0.0) + r20(0.0) + r20(0.0) + r20(0.0) + r20(0.0) + "\n";
   out += "#        N   Istrain               Thick              Ashear              Ithick     Iplas\n" +
-         i10(model.scene.model.cell == "membrane" ? 1 : 3) + i10(0) + r20(model.mesh.thickness) + r20(0.0) + blank(10) +
-         i10(0) + i10(0) + "\n";
+         i10(model.scene.model.cell == CellElement::membrane ? 1 : 3) + i10(0) + r20(model.mesh.thickness) + r20(0.0) +
+         blank(10) + i10(0) + i10(0) + "\n";
   out += "#                 VX                  VY                  VZ\n" + r20(model.direction[0][0]) +
          r20(model.direction[0][1]) + r20(model.direction[0][2]) + "\n";
 }
@@ -147,7 +147,7 @@ void add_yarn_materials(const Deck& deck, std::string& out) {
   for (std::size_t f = 0; f < 2; ++f) {
     const std::string name = f == 0 ? "warp" : "weft";
     const double modulus = model.card.yarn[f].linear_modulus * model.scene.model.yarn_stiffness_scale;
-    const double poisson = model.scene.model.section == "incompressible" ? 0.49 : 0.0;
+    const double poisson = model.scene.model.section == Section::incompressible ? 0.49 : 0.0;
     const double density = model.yarn_density(f) * model.scene.analysis.mass_scale;
     add_comments(name, yarn_constants(model, f), out);
     add_elastic(warp + static_cast<int>(f), name, density, modulus, poisson, out);

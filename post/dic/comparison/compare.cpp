@@ -23,8 +23,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // Asks for the travel or load of the k-th stage when neither its file nor the settings tell it.
 void ask_state(const StagesSpec& spec, std::size_t k, const MeasuredStage& stage, Questions& questions) {
-  if (spec.match == "frame") return;
-  const bool by_force = spec.match == "force";
+  if (spec.match == MatchBy::frame) return;
+  const bool by_force = spec.match == MatchBy::force;
   const auto& list = by_force ? spec.force : spec.displacement;
   if (k < list.size() || (by_force ? stage.force : stage.displacement)) return;
   ask(questions, {fmt::format("{}: at which {} was this stage taken? the file does not tell;", stage.label,
@@ -39,7 +39,7 @@ public:
   StageMatch(const Simulation& simulation, const StagesSpec& spec) : simulation_(simulation), spec_(spec) {}
 
   [[nodiscard]] SimulatedState state(std::size_t k, const MeasuredStage& stage) const {
-    if (spec_.match == "frame") {
+    if (spec_.match == MatchBy::frame) {
       if (k + 1 >= simulation_.frame_count())
         throw InputError(
             fmt::format("{}: is stage {}, but the simulation has {} frames after the start; set match of "
@@ -47,7 +47,7 @@ public:
                         stage.label, k + 1, simulation_.frame_count() - 1));
       return simulation_.at_frame(k + 1);
     }
-    const bool by_force = spec_.match == "force";
+    const bool by_force = spec_.match == MatchBy::force;
     const auto& list = by_force ? spec_.force : spec_.displacement;
     std::optional<double> value = by_force ? stage.force : stage.displacement;
     if (!list.empty()) {
@@ -223,7 +223,7 @@ private:
     const SimulatedState state = match_.state(k, stage);
     const Placement& placement = comparison_.placement;
     RigidMotion current = placement.current;
-    if (settings_.registration.motion == "free" && stage.gradient.empty())
+    if (settings_.registration.motion == SpecimenMotion::free && stage.gradient.empty())
       current = follow(stage, simulation_, state, placement.reference, settings_.registration.reject);
     auto points = make_points(stage, placement.reference, simulation_, comparison_.instrument, points_);
     if (points != points_) triangles_.clear();
@@ -266,8 +266,8 @@ private:
   }
 
   void write_fields(std::size_t k, const StageFields& fields) {
-    const std::string& which = settings_.comparison.fields;
-    if (which == "none" || (which == "last" && k != last_)) return;
+    const FieldsWritten which = settings_.comparison.fields;
+    if (which == FieldsWritten::none || (which == FieldsWritten::last && k != last_)) return;
     // A diagonal of the grid with one point missing.
     if (triangles_.empty()) triangles_ = triangulate(points_->point, 2.3 * comparison_.instrument.step);
     const fs::path stem = output_ / "stages" / fmt::format("stage_{:03}", k + 1);

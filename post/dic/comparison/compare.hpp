@@ -49,7 +49,7 @@ struct Comparison {
   Instrument instrument;
   Placement placement;
   double coverage = 2.0;
-  std::string symmetry;
+  FieldSymmetry symmetry = FieldSymmetry::none;
   std::vector<ComparedStage> stage;
   std::optional<LoadCurve> load;
 };

@@ -97,7 +97,7 @@ Json comparison_json(const Comparison& c) {
                  {"used", c.placement.used},
                  {"rejected", c.placement.rejected},
                  {"off_fabric", c.placement.off_fabric}}},
-               {"symmetry", c.symmetry},
+               {"symmetry", name_of(c.symmetry)},
                {"coverage", c.coverage},
                {"stages", Json::array()}};
   for (const ComparedStage& stage : c.stage) json["stages"].push_back(stage_json(stage));
@@ -215,7 +215,7 @@ std::string verdict_table(const Comparison& c) {
                         last.displacement_uncertainty, last.estimated ? "estimated" : "as given", c.coverage);
   else
     text += "uncertainty   unknown: gradients were measured, not displacements\n";
-  text += fmt::format("symmetry      {}\n", c.symmetry);
+  text += fmt::format("symmetry      {}\n", name_of(c.symmetry));
   for (const std::string& note : last.notes) text += fmt::format("reading       {}\n", note);
 
   text += fmt::format("\n{:>10} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>10}  verdict\n", "stage", "travel",

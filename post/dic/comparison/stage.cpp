@@ -204,29 +204,29 @@ double FieldAt::operator()(const Vec2& place, const std::vector<double>& field) 
   return solver.solve(right)[0];
 }
 
-void average_mirror_images(const std::string& symmetry, const BlankSpec& blank, const Instrument& instrument,
+void average_mirror_images(FieldSymmetry symmetry, const BlankSpec& blank, const Instrument& instrument,
                            StageFields& fields) {
-  if (symmetry == "none") return;
+  if (symmetry == FieldSymmetry::none) return;
   // A mirror takes yarns at 45 deg to its axis into one another and keeps their angle; yarns along the axes it turns so
   // that the shear angle changes its sign; any other yarns are not symmetric.
   const double turn = std::remainder(blank.yarn_angle, 90.0);
   double sign = 1.0;
-  if (symmetry != "rotation") {
+  if (symmetry != FieldSymmetry::rotation) {
     if (std::abs(turn) < 1e-6)
       sign = -1.0;
     else if (std::abs(std::abs(turn) - 45.0) > 1e-6)
       throw InputError(
           fmt::format("symmetry of [comparison] is '{}', but yarns at {} deg have no such mirror image; use "
                       "\"rotation\" or \"none\"",
-                      symmetry, blank.yarn_angle));
+                      name_of(symmetry), blank.yarn_angle));
   }
   struct Image {
     double x, y, sign;
   };
   std::vector<Image> images = {{1.0, 1.0, 1.0}};
-  if (symmetry == "x" || symmetry == "xy") images.push_back({-1.0, 1.0, sign});
-  if (symmetry == "y" || symmetry == "xy") images.push_back({1.0, -1.0, sign});
-  if (symmetry == "rotation" || symmetry == "xy") images.push_back({-1.0, -1.0, 1.0});
+  if (symmetry == FieldSymmetry::x || symmetry == FieldSymmetry::xy) images.push_back({-1.0, 1.0, sign});
+  if (symmetry == FieldSymmetry::y || symmetry == FieldSymmetry::xy) images.push_back({1.0, -1.0, sign});
+  if (symmetry == FieldSymmetry::rotation || symmetry == FieldSymmetry::xy) images.push_back({-1.0, -1.0, 1.0});
 
   const auto& point = fields.points->point;
   const FieldAt at(point, instrument.step);

@@ -57,7 +57,7 @@ struct StageFields {
 
 // Replaces the angles by their means over the mirror images (ComparisonSpec::symmetry). Throws InputError when the
 // yarns do not share the symmetry.
-void average_mirror_images(const std::string& symmetry, const BlankSpec& blank, const Instrument& instrument,
+void average_mirror_images(FieldSymmetry symmetry, const BlankSpec& blank, const Instrument& instrument,
                            StageFields& fields);
 
 // A scalar field at any place: the least-squares plane through the points within 1.1 steps, if they are enough and lie

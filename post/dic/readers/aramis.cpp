@@ -97,10 +97,10 @@ MeasuredStage read_aramis(const PointTable& table, const MeasurementSpec& spec) 
   for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
     if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
   PointRows rows = read_points(table, columns, common_length_factor(table, lengths, spec, stage.questions));
-  if (spec.y_axis == "down") flip_y(rows);
+  if (spec.y_axis == YAxis::down) flip_y(rows);
   stage.notes.push_back(
-      fmt::format("ARAMIS: positions of the undeformed stage, y {} as {}", spec.y_axis == "down" ? "down" : "up",
-                  spec.y_axis == "auto" ? "in the specimen's coordinate system" : "the settings say"));
+      fmt::format("ARAMIS: positions of the undeformed stage, y {} as {}", spec.y_axis == YAxis::down ? "down" : "up",
+                  spec.y_axis == YAxis::automatic ? "in the specimen's coordinate system" : "the settings say"));
   std::string strains;
   for (const auto& heading : table.heading)
     if (heading.starts_with("eps")) strains += (strains.empty() ? "" : ", ") + heading;

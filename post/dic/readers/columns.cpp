@@ -81,15 +81,16 @@ MeasuredStage stage_of(const PointRows& rows, const std::vector<std::size_t>& in
     Vec3 position = rows.position[i];
     const Vec3& displacement = rows.displacement[i];
     // X = x - u: an export of current positions has the material point's reference position by its displacement.
-    if (spec.position == "current")
+    if (spec.position == PositionOf::current)
       for (std::size_t k = 0; k < 3; ++k) position[k] -= displacement[k];
     own.position.push_back(position);
     own.displacement.push_back(displacement);
     if (!spec.quality.empty()) failed.push_back(!(rows.flags[0][i] >= least && rows.flags[0][i] <= greatest));
   }
-  if (spec.y_axis == "down") flip_y(own);
+  if (spec.y_axis == YAxis::down) flip_y(own);
   take_rows(std::move(own), failed, stage);
-  stage.notes.push_back(fmt::format("columns as mapped: {} positions, y {}", spec.position, spec.y_axis));
+  stage.notes.push_back(
+      fmt::format("columns as mapped: {} positions, y {}", name_of(spec.position), name_of(spec.y_axis)));
   return stage;
 }
 

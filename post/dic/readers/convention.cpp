@@ -33,7 +33,7 @@ bool is_pixel(const std::string& unit) {
 
 bool settle_up(const MeasurementSpec& spec, const std::optional<bool>& told, const std::string& file,
                const std::string& column, Questions& questions) {
-  if (spec.y_axis != "auto") return spec.y_axis == "up";
+  if (spec.y_axis != YAxis::automatic) return spec.y_axis == YAxis::up;
   if (!told)
     ask(questions, {fmt::format("{}: does {} point up or down on the specimen? the file does not tell;", file, column),
                     "measurement.y_axis", "up"});
@@ -76,18 +76,19 @@ bool has_columns(const std::vector<std::string>& heading, const std::vector<std:
 
 double length_factor(const std::string& unit, const MeasurementSpec& spec, const std::string& file,
                      const std::string& column, Questions& questions) {
-  const bool stated = spec.length_unit != "auto";
+  const bool stated = spec.length_unit != MeasuredUnit::automatic;
   if (unit.empty() && !stated) {
     ask(questions, {fmt::format("{}: column '{}' has no unit: is it in mm, m, um, in or pixels?", file, column),
                     "measurement.length_unit", "mm"});
     return 1.0;
   }
-  if (stated && !unit.empty() && spec.length_unit != unit && !(is_pixel(spec.length_unit) && is_pixel(unit)))
+  const std::string asked = name_of(spec.length_unit);
+  if (stated && !unit.empty() && asked != unit && !(is_pixel(asked) && is_pixel(unit)))
     throw InputError(
         fmt::format("{}: column '{}' says [{}], but length_unit of [measurement] is '{}'; which is right? "
                     "correct one of them",
-                    file, column, unit, spec.length_unit));
-  const std::string& use = unit.empty() ? spec.length_unit : unit;
+                    file, column, unit, asked));
+  const std::string& use = unit.empty() ? asked : unit;
   if (is_pixel(use)) {
     if (spec.pixel_size) return *spec.pixel_size;
     ask(questions, {fmt::format("{}: column '{}' is in pixels: how many mm is one pixel?", file, column),

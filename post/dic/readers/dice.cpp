@@ -82,9 +82,9 @@ MeasuredStage read_dice(const PointTable& table, const MeasurementSpec& spec) {
   if (!up) flip_y(rows);
   stage.notes.push_back(fmt::format("DICe: {}, y {}{}", model ? "stereo (MODEL_ columns)" : "pixels",
                                     up ? "up" : "down, turned up",
-                                    spec.y_axis != "auto" ? " as the settings say"
-                                    : model               ? ", told by COORDINATE_Y"
-                                                          : ", the image's"));
+                                    spec.y_axis != YAxis::automatic ? " as the settings say"
+                                    : model                         ? ", told by COORDINATE_Y"
+                                                                    : ", the image's"));
   stage.header_facet = header_number(table.header, "Subset size:");
   stage.header_step = header_number(table.header, "Step size: x");
   const double window = header_number(table.header, "Strain window size in pixels:");

@@ -67,9 +67,9 @@ MeasuredStage read_matchid(const PointTable& table, const MeasurementSpec& spec)
   stage.notes.push_back("failed correlations by: points without numbers");
   stage.notes.push_back(fmt::format("MatchID: columns {} and {}, y {}{}", lengths ? names.x : names.x_pixel, names.u,
                                     up ? "up" : "down, turned up",
-                                    spec.y_axis != "auto" ? " as the settings say"
-                                    : lengths             ? ", told by the pixel column"
-                                                          : ", the image's"));
+                                    spec.y_axis != YAxis::automatic ? " as the settings say"
+                                    : lengths                       ? ", told by the pixel column"
+                                                                    : ", the image's"));
   take_rows(std::move(rows), {}, stage);
   return stage;
 }

@@ -30,7 +30,7 @@ struct Matrix {
 
 // Blanks separate when commas are decimal ones.
 char delimiter_of(const std::string& line, const MeasurementSpec& spec) {
-  if (spec.delimiter != "auto") return delimiter_named(spec.delimiter);
+  if (const auto given = delimiter_named(spec.delimiter)) return *given;
   for (const char c : {';', '\t'})
     if (line.find(c) != std::string::npos) return c;
   const auto blanks = split_cells(line, ' ');
@@ -102,7 +102,7 @@ double factor_of(const fs::path& file, const MeasurementSpec& spec, Questions& q
 
 bool in_pixels(const fs::path& file, const MeasurementSpec& spec) {
   const auto name = matrix_name(file);
-  return is_pixel(name && !name->unit.empty() ? name->unit : spec.length_unit);
+  return name && !name->unit.empty() ? is_pixel(name->unit) : spec.length_unit == MeasuredUnit::px;
 }
 
 struct Grid {
@@ -135,12 +135,12 @@ void mark_zeros(const Matrix& u, const MeasurementSpec& spec, PointRows& rows, M
   for (std::size_t i = 0; i < rows.displacement.size(); ++i)
     if (rows.displacement[i] == Vec3{0.0, 0.0, 0.0}) zero.push_back(i);
   const auto share = static_cast<double>(zero.size()) / static_cast<double>(rows.displacement.size());
-  if (spec.grid_zeros == "auto" && share > suspicious_zeros && zero.size() < rows.displacement.size())
+  if (spec.grid_zeros == GridZeros::automatic && share > suspicious_zeros && zero.size() < rows.displacement.size())
     ask(stage.questions, {fmt::format("{}: {} of {} points have displacements of exactly zero: were they measured, or "
                                       "are they missing (outside the region, or failed)?",
                                       u.file, zero.size(), rows.displacement.size()),
                           "measurement.grid_zeros", "missing"});
-  if (spec.grid_zeros != "missing") return;
+  if (spec.grid_zeros != GridZeros::missing) return;
   for (const std::size_t i : zero) rows.displacement[i][0] = none;
   stage.notes.push_back(fmt::format("{} points with displacements of exactly zero taken as missing", zero.size()));
 }
@@ -199,12 +199,12 @@ MeasuredStage read_matrix(const fs::path& file, const MeasurementSpec& spec) {
   const double factor = factor_of(u_file, spec, stage.questions), v_factor = factor_of(v_file, spec, stage.questions);
   const double position_factor = x ? factor_of(x_file, spec, stage.questions) : 1.0;
   const Grid grid = x ? Grid{} : grid_of(u, spec, stage.questions);
-  if (spec.y_axis == "auto" && !in_pixels(v_file, spec))
+  if (spec.y_axis == YAxis::automatic && !in_pixels(v_file, spec))
     ask(stage.questions, {fmt::format("{}: is the displacement V positive upwards or downwards? its rows go down "
                                       "the image;",
                                       v.file),
                           "measurement.y_axis", "down"});
-  const bool up = spec.y_axis == "up";
+  const bool up = spec.y_axis == YAxis::up;
 
   PointRows rows;
   std::vector<double> row_number;
@@ -227,7 +227,7 @@ MeasuredStage read_matrix(const fs::path& file, const MeasurementSpec& spec) {
       u_file.filename().string(), v_file.filename().string(), w ? ", " + w_file.filename().string() : "",
       x ? fmt::format("{} and {}", x_file.filename().string(), y_file.filename().string())
         : fmt::format("a grid of {:.6g} mm from ({:.6g}, {:.6g}) mm", grid.pitch, grid.first[0], grid.first[1]),
-      up ? "up" : "down, turned up", spec.y_axis == "auto" ? ", the image's" : " as the settings say"));
+      up ? "up" : "down, turned up", spec.y_axis == YAxis::automatic ? ", the image's" : " as the settings say"));
   if (!words.empty()) stage.notes.push_back("failed points by words instead of numbers: " + quoted(words));
   std::vector<bool> failed;
   for (std::size_t k = 0; k < u.value.size(); ++k)

@@ -17,14 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string format_of(const std::vector<std::string>& heading) {
-  if (names_dice(heading)) return "dice";
-  if (names_aramis(heading)) return "aramis";
-  if (names_pyvale(heading)) return "pyvale";
-  if (names_matchid(heading)) return "matchid";
-  if (names_opencorr(heading)) return "opencorr";
-  if (names_vic(heading)) return "vic";
-  return "";
+std::optional<MeasurementFormat> format_of(const std::vector<std::string>& heading) {
+  if (names_dice(heading)) return MeasurementFormat::dice;
+  if (names_aramis(heading)) return MeasurementFormat::aramis;
+  if (names_pyvale(heading)) return MeasurementFormat::pyvale;
+  if (names_matchid(heading)) return MeasurementFormat::matchid;
+  if (names_opencorr(heading)) return MeasurementFormat::opencorr;
+  if (names_vic(heading)) return MeasurementFormat::vic;
+  return std::nullopt;
 }
 
 // File names in the order a person counts: stage_2 before stage_10.
@@ -80,16 +80,16 @@ std::string columns_there(const PointTable& table) {
 
 // A stage that holds only the questions.
 MeasuredStage unknown_table(const PointTable& table, const MeasurementSpec& spec) {
-  if (spec.format == "columns")
+  if (spec.format == MeasurementFormat::columns)
     throw InputError(
         fmt::format("{}: no line names the columns that [measurement] maps; which line is the heading, and "
                     "what separates its columns? correct the names or 'delimiter'",
                     table.file));
-  if (spec.format != "auto")
+  if (spec.format != MeasurementFormat::automatic)
     throw InputError(
         fmt::format("{}: no line names the columns of '{}'; correct 'format' or 'delimiter' of "
                     "[measurement], or map the columns with format = \"columns\"",
-                    table.file, spec.format));
+                    table.file, name_of(spec.format)));
   MeasuredStage stage;
   stage.label = table.file;
   const std::string columns = columns_there(table);
@@ -105,7 +105,7 @@ MeasuredStage unknown_table(const PointTable& table, const MeasurementSpec& spec
                                   {"v", "the displacement along y"}})
     ask(stage.questions, {fmt::format("{}: which column is {}?", table.file, what), fmt::format("measurement.{}", key),
                           fmt::format("NAME_OF_{}", key)});
-  if (spec.length_unit == "auto")
+  if (spec.length_unit == MeasuredUnit::automatic)
     ask(stage.questions,
         {fmt::format("{}: in which unit are positions and displacements, where the column names do not "
                      "say it?",
@@ -115,12 +115,12 @@ MeasuredStage unknown_table(const PointTable& table, const MeasurementSpec& spec
   return stage;
 }
 
-MeasuredStage read_one(const std::string& format, const PointTable& table, const MeasurementSpec& spec) {
-  if (format == "dice") return read_dice(table, spec);
-  if (format == "aramis") return read_aramis(table, spec);
-  if (format == "pyvale") return read_pyvale(table, spec);
-  if (format == "opencorr") return read_opencorr(table, spec);
-  if (format == "matchid") return read_matchid(table, spec);
+MeasuredStage read_one(MeasurementFormat format, const PointTable& table, const MeasurementSpec& spec) {
+  if (format == MeasurementFormat::dice) return read_dice(table, spec);
+  if (format == MeasurementFormat::aramis) return read_aramis(table, spec);
+  if (format == MeasurementFormat::pyvale) return read_pyvale(table, spec);
+  if (format == MeasurementFormat::opencorr) return read_opencorr(table, spec);
+  if (format == MeasurementFormat::matchid) return read_matchid(table, spec);
   return read_vic(table, spec);
 }
 
@@ -153,22 +153,24 @@ std::vector<fs::path> measurement_files(const std::vector<std::string>& argument
 }
 
 std::vector<MeasuredStage> read_stages_asking(const fs::path& file, const MeasurementSpec& spec) {
-  const bool mapped = spec.format == "columns";
-  if (spec.format == "matrix") return {read_matrix(file, spec)};
-  std::string format;
+  const bool mapped = spec.format == MeasurementFormat::columns;
+  if (spec.format == MeasurementFormat::matrix) return {read_matrix(file, spec)};
+  std::optional<MeasurementFormat> format;
   const auto is_heading = [&](const std::vector<std::string>& cells) {
     if (mapped) return names_columns(cells, spec);
     format = format_of(cells);
-    if (spec.format == "vic" && names_vic(cells)) format = "vic";
-    if (format == "vic" && spec.format == "auto" && !only_vic(cells)) format = "";
-    return !format.empty() && (spec.format == "auto" || spec.format == format);
+    if (spec.format == MeasurementFormat::vic && names_vic(cells)) format = MeasurementFormat::vic;
+    if (format == MeasurementFormat::vic && spec.format == MeasurementFormat::automatic && !only_vic(cells))
+      format.reset();
+    return format && (spec.format == MeasurementFormat::automatic || spec.format == format);
   };
   TableHints hints{.delimiter = spec.delimiter, .decimal = spec.decimal, .columns = 0};
   if (mapped && numbered_columns(spec)) hints.columns = 4;
   const PointTable table = open_point_table(file, hints, is_heading);
   if (table.found && mapped) return read_mapped(table, spec);
-  if (table.found) return {read_one(format, table, spec)};
-  if (spec.format == "auto" && looks_like_matrix(table.text, spec)) return {read_matrix(file, spec)};
+  if (table.found) return {read_one(*format, table, spec)};
+  if (spec.format == MeasurementFormat::automatic && looks_like_matrix(table.text, spec))
+    return {read_matrix(file, spec)};
   return {unknown_table(table, spec)};
 }
 

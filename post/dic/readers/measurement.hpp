@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/files/csv_format.hpp"
+#include "post/dic/readers/choices.hpp"
 #include "post/dic/readers/question.hpp"
 #include "solver/result/fields.hpp"
 
@@ -17,21 +19,21 @@ namespace weaveform::dic {
 
 // [measurement] of the settings file (settings.hpp says what each key means).
 struct MeasurementSpec {
-  std::string format = "auto";  // "auto", "aramis", "dice", "vic", "pyvale", "opencorr", "matchid", "matrix", "columns"
+  MeasurementFormat format = MeasurementFormat::automatic;
   std::string delimiter = "auto";  // "auto", "comma", "semicolon", "tab", "space", or one character
-  std::string decimal = "auto";    // "auto", "point", "comma"
-  std::string length_unit = "auto";
-  std::optional<double> pixel_size;    // mm per pixel
-  std::string y_axis = "auto";         // "auto", "up", "down"
-  std::string position = "reference";  // columns: "reference" or "current"
-  std::string x, y, z, u, v, w;        // columns: names, or numbers from 1
-  std::string quality;                 // columns: a point is valid when quality_least <= quality <= quality_greatest
+  DecimalSign decimal = DecimalSign::automatic;
+  MeasuredUnit length_unit = MeasuredUnit::automatic;
+  std::optional<double> pixel_size;  // mm per pixel
+  YAxis y_axis = YAxis::automatic;
+  PositionOf position = PositionOf::reference;  // columns
+  std::string x, y, z, u, v, w;                 // columns: names, or numbers from 1
+  std::string quality;  // columns: a point is valid when quality_least <= quality <= quality_greatest
   std::optional<double> quality_least, quality_greatest;
   std::string stage_column;  // columns: tells the stages of one file apart
   // matrix: from point to point in pixels, or in mm; of the first column and row in pixels; what zeros are
   std::optional<double> grid_step, grid_pitch;
   std::array<double, 2> grid_first = {0.0, 0.0};
-  std::string grid_zeros = "auto";                              // "auto", "measured", "missing"
+  GridZeros grid_zeros = GridZeros::automatic;
   std::string displacement_signal, force_signal;                // aramis: names among the header's signals
   double displacement_factor = 1.0, displacement_offset = 0.0;  // crosshead: factor * signal + offset, mm
   double force_factor = 1.0;                                    // N per unit of the signal

@@ -62,20 +62,20 @@ MeasuredStage read_opencorr(const PointTable& table, const MeasurementSpec& spec
       columns.flags.push_back(column);
     }
   if (stereo) columns.flags.push_back(index_of(table, "y"));
-  if (stereo && is_pixel(spec.length_unit))
+  if (stereo && spec.length_unit == MeasuredUnit::px)
     throw InputError(
         fmt::format("{}: is an OpenCorr stereo table, whose u, v, w and ref_ columns are lengths, but "
                     "length_unit of [measurement] is '{}'; give the unit of the calibration (mm, m, ...)",
-                    table.file, spec.length_unit));
+                    table.file, name_of(spec.length_unit)));
   // OpenCorr names no units; a user may have added them
   std::vector<std::size_t> lengths;
   for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
     if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
   const std::string written = column_name(table.heading[lengths.front()]).unit;
-  const std::string unit = !written.empty()             ? written
-                           : stereo                     ? ""
-                           : spec.length_unit == "auto" ? "px"
-                                                        : spec.length_unit;
+  const std::string unit = !written.empty()                              ? written
+                           : stereo                                      ? ""
+                           : spec.length_unit == MeasuredUnit::automatic ? "px"
+                                                                         : name_of(spec.length_unit);
   const double factor = unit == written ? common_length_factor(table, lengths, spec, stage.questions)
                                         : length_factor(unit, spec, table.file, "x", stage.questions);
   PointRows rows = read_points(table, columns, factor);
@@ -98,9 +98,9 @@ MeasuredStage read_opencorr(const PointTable& table, const MeasurementSpec& spec
   stage.notes.push_back(fmt::format("OpenCorr: {}, y {}{}",
                                     stereo ? "stereo (ref_ columns and u, v, w)" : "planar table",
                                     up ? "up" : "down, turned up",
-                                    spec.y_axis != "auto" ? " as the settings say"
-                                    : stereo              ? ", told by the pixel column"
-                                                          : ", the image's"));
+                                    spec.y_axis != YAxis::automatic ? " as the settings say"
+                                    : stereo                        ? ", told by the pixel column"
+                                                                    : ", the image's"));
   take_rows(std::move(rows), failed, stage);
   return stage;
 }

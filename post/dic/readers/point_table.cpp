@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "core/error.hpp"
@@ -60,8 +59,8 @@ private:
 };
 
 std::vector<char> delimiters_of(const TableHints& hints) {
-  if (hints.delimiter == "auto") return {';', '\t', ',', ' '};
-  return {delimiter_named(hints.delimiter)};
+  if (const auto given = delimiter_named(hints.delimiter)) return {*given};
+  return {';', '\t', ',', ' '};
 }
 
 // A row holds no words: it is empty, a comment, or numbers and signs for missing ones.
@@ -125,13 +124,13 @@ std::string delimiter_words(char delimiter) {
 }
 
 void find_decimal_sign(PointTable& table, const TableHints& hints) {
-  if (hints.decimal == "comma" && table.delimiter == ',')
+  if (hints.decimal == DecimalSign::comma && table.delimiter == ',')
     throw InputError(
         fmt::format("{}: the comma cannot be both delimiter and decimal sign; correct 'delimiter' or 'decimal' of "
                     "[measurement], or export with ';' between the columns",
                     table.file));
-  table.decimal_comma = hints.decimal == "comma";
-  if (hints.decimal != "auto" || table.delimiter == ',') return;
+  table.decimal_comma = hints.decimal == DecimalSign::comma;
+  if (hints.decimal != DecimalSign::automatic || table.delimiter == ',') return;
   bool comma = false, point = false;
   Lines lines(table.text, table.body, table.body_line);
   for (int row = 0; row < sampled_rows && lines.advance();) {
@@ -158,10 +157,9 @@ bool all_numbers(const std::vector<std::string>& cells, std::size_t wanted) {
 
 }  // namespace
 
-char delimiter_named(const std::string& name) {
-  static const std::map<std::string, char> named = {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"space", ' '}};
-  const auto found = named.find(name);
-  return found != named.end() ? found->second : name.front();
+std::optional<char> delimiter_named(const std::string& name) {
+  const auto named = choice_named<Delimiter>(name);
+  return named ? character_of(*named) : name.front();
 }
 
 std::vector<std::string> split_cells(std::string_view line, char delimiter) {

@@ -4,9 +4,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/files/csv_format.hpp"
 
 namespace weaveform::dic {
 
@@ -28,8 +31,8 @@ using IsHeading = std::function<bool(const std::vector<std::string>&)>;
 
 struct TableHints {
   std::string delimiter = "auto";  // "auto", "comma", "semicolon", "tab", "space", or one character
-  std::string decimal = "auto";    // "auto", "point", "comma"
-  std::size_t columns = 0;         // > 0: there is no heading; the rows begin with the first that has so many numbers
+  DecimalSign decimal = DecimalSign::automatic;
+  std::size_t columns = 0;  // > 0: there is no heading; the rows begin with the first that has so many numbers
 };
 
 // Finds the heading among the first 2000 lines by trying the delimiters, and the decimal sign from the rows. Throws
@@ -43,8 +46,8 @@ struct TableHints {
 [[nodiscard]] std::vector<std::vector<double>> read_columns(const PointTable& table,
                                                             const std::vector<std::size_t>& columns);
 
-// The character a delimiter's name stands for ("comma", "semicolon", "tab", "space", or the character itself).
-[[nodiscard]] char delimiter_named(const std::string& name);
+// The character that [measurement] names: a Delimiter by its name, or the character itself. None: it is to be found.
+[[nodiscard]] std::optional<char> delimiter_named(const std::string& name);
 
 // Cells of a line: trimmed, without quotes; with ' ' as delimiter any number of blanks is one.
 [[nodiscard]] std::vector<std::string> split_cells(std::string_view line, char delimiter);

@@ -76,9 +76,9 @@ MeasuredStage read_pyvale(const PointTable& table, const MeasurementSpec& spec) 
                     table.file));
   const bool windows = index_of(table, "window_x") >= 0;
   const double factor = length_factor("px", spec, table.file, windows ? "window_x" : "subset_x", stage.questions);
-  const bool down = spec.y_axis != "up";
+  const bool down = spec.y_axis != YAxis::up;
   stage.notes.push_back(fmt::format("pixels, y {}{}", down ? "down, turned up" : "up",
-                                    spec.y_axis == "auto" ? ", the image's" : " as the settings say"));
+                                    spec.y_axis == YAxis::automatic ? ", the image's" : " as the settings say"));
   return windows ? read_windows(table, factor, down, std::move(stage))
                  : read_subsets(table, factor, down, std::move(stage));
 }

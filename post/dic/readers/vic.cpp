@@ -44,11 +44,11 @@ VicUnits units_of(const PointTable& table, const VicColumns& kind, const PointCo
   for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
     if (column >= 0) lengths.push_back(static_cast<std::size_t>(column));
   const std::string unit = column_name(table.heading[lengths.front()]).unit;
-  const bool stated = spec.length_unit != "auto";
+  const bool stated = spec.length_unit != MeasuredUnit::automatic;
   VicUnits units;
   units.alone = kind.pixels && unit.empty() && table.heading.size() == lengths.size();
   units.unknown = units.alone && !stated && !spec.pixel_size;
-  units.pixels = kind.pixels && (unit.empty() ? !stated || is_pixel(spec.length_unit) : is_pixel(unit));
+  units.pixels = kind.pixels && (unit.empty() ? !stated || spec.length_unit == MeasuredUnit::px : is_pixel(unit));
   units.factor = units.pixels && unit.empty() && !units.unknown
                      ? length_factor("px", spec, table.file, kind.position[0], questions)
                      : common_length_factor(table, lengths, spec, questions);
@@ -114,7 +114,7 @@ MeasuredStage read_vic(const PointTable& table, const MeasurementSpec& spec) {
   PointRows rows = read_points(table, columns, units.factor);
   const auto failed = sigma ? failed_rows(rows, y_pixel >= 0) : std::vector<bool>(rows.position.size(), false);
   stage.notes.push_back(sigma ? "failed correlations by: sigma < 0" : "failed correlations by: none in the file");
-  if (!sigma && spec.format == "auto") ask_about_quality(table, stage.questions);
+  if (!sigma && spec.format == MeasurementFormat::automatic) ask_about_quality(table, stage.questions);
 
   const auto told = units.unknown  ? std::nullopt
                     : units.pixels ? std::optional(false)
@@ -125,9 +125,9 @@ MeasuredStage read_vic(const PointTable& table, const MeasurementSpec& spec) {
   stage.notes.push_back(fmt::format("{}: columns {} {} and {} {}, y {}{}", units.alone ? "table" : "VIC",
                                     kind->position[0], kind->position[1], kind->displacement[0], kind->displacement[1],
                                     up ? "up" : "down, turned up",
-                                    spec.y_axis != "auto" ? " as the settings say"
-                                    : units.pixels        ? ", the image's"
-                                                          : ", told by the pixel column"));
+                                    spec.y_axis != YAxis::automatic ? " as the settings say"
+                                    : units.pixels                  ? ", the image's"
+                                                                    : ", told by the pixel column"));
   take_rows(std::move(rows), failed, stage);
   return stage;
 }

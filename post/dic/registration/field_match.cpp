@@ -308,7 +308,7 @@ Placement match_field(const MeasuredStage& stage, const Simulation& simulation, 
                     "[registration]",
                     stage.label));
   const FlatMesh& flat = simulation.flat();
-  const Matcher matcher(flat, state, spec.motion == "free", spec.reject);
+  const Matcher matcher(flat, state, spec.motion == SpecimenMotion::free, spec.reject);
   const Match start = best_trial(matcher, cloud_of(stage, trial_points), flat, stage, spec);
   Cloud cloud = cloud_of(stage, final_points);
   Match match = matcher.run(cloud, start, final_steps);

@@ -64,11 +64,11 @@ RigidMotion rigid_fit(const std::vector<Vec2>& from, const std::vector<Vec2>& to
 
 Placement place(const MeasuredStage& stage, const Simulation& simulation, const SimulatedState& state,
                 const RegistrationSpec& spec, double facet_size) {
-  if (spec.method == "least-squares") return match_field(stage, simulation, state, spec, facet_size);
+  if (spec.method == RegistrationMethod::least_squares) return match_field(stage, simulation, state, spec, facet_size);
   Placement placement;
-  if (spec.method == "marks") {
+  if (spec.method == RegistrationMethod::marks) {
     placement = by_marks(spec);
-  } else if (spec.method == "axes") {
+  } else if (spec.method == RegistrationMethod::axes) {
     placement.reference = placement.current = by_axes(spec.origin, spec.angle.value_or(0.0) * radians);
     placement.method = "specimen axes as given";
   } else {

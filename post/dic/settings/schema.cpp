@@ -8,30 +8,25 @@ namespace weaveform::dic {
 namespace {
 
 const std::vector<Key<MeasurementSpec>> measurement_keys = {
-    key<&MeasurementSpec::format>(
-        {.name = "format",
-         .allowed = {"auto", "aramis", "dice", "vic", "pyvale", "opencorr", "matchid", "matrix", "columns"},
-         .doc = "`auto` goes by all the column names; `matrix`: a matrix for each component, in "
-                "files whose names say U and V; `columns`: any table, by the keys below"}),
+    key<&MeasurementSpec::format>({.name = "format",
+                                   .doc =
+                                       "`auto` goes by all the column names; `matrix`: a matrix for each component, in "
+                                       "files whose names say U and V; `columns`: any table, by the keys below"}),
     key<&MeasurementSpec::delimiter>(
         {.name = "delimiter",
          .doc = "`auto`, `comma`, `semicolon`, `tab`, `space`, or the one character that separates the columns"}),
-    key<&MeasurementSpec::decimal>(
-        {.name = "decimal", .allowed = {"auto", "point", "comma"}, .doc = "decimal sign of the numbers"}),
+    key<&MeasurementSpec::decimal>({.name = "decimal", .doc = "decimal sign of the numbers"}),
     key<&MeasurementSpec::length_unit>(
         {.name = "length_unit",
-         .allowed = {"auto", "mm", "cm", "m", "um", "in", "px"},
          .doc = "of positions and displacements; `auto`: as the column names say, which then must say it"}),
     key<&MeasurementSpec::pixel_size>({.name = "pixel_size",
                                        .unit = "mm",
                                        .limits = above(0),
                                        .doc = "length of one pixel on the specimen; needed for positions in pixels"}),
-    key<&MeasurementSpec::y_axis>({.name = "y_axis",
-                                   .allowed = {"auto", "up", "down"},
-                                   .doc = "sense of the file's y (and v); `auto`: the format's, where it has one"}),
-    key<&MeasurementSpec::position>({.name = "position",
-                                     .allowed = {"reference", "current"},
-                                     .doc = "columns: `x`, `y` of the undeformed or of the deformed specimen"}),
+    key<&MeasurementSpec::y_axis>(
+        {.name = "y_axis", .doc = "sense of the file's y (and v); `auto`: the format's, where it has one"}),
+    key<&MeasurementSpec::position>(
+        {.name = "position", .doc = "columns: `x`, `y` of the undeformed or of the deformed specimen"}),
     key<&MeasurementSpec::x>({.name = "x", .doc = "columns: name of the column, or its number as text"}),
     key<&MeasurementSpec::y>({.name = "y", .doc = "columns: the same"}),
     key<&MeasurementSpec::z>({.name = "z", .doc = "columns: the same; may be left out"}),
@@ -57,7 +52,6 @@ const std::vector<Key<MeasurementSpec>> measurement_keys = {
         {.name = "grid_first", .unit = "px", .doc = "matrix: column and row of the first point in the image"}),
     key<&MeasurementSpec::grid_zeros>(
         {.name = "grid_zeros",
-         .allowed = {"auto", "measured", "missing"},
          .doc = "matrix: what points with displacements of exactly zero are; `auto`: measured when they are few, else "
                 "asked"}),
     key<&MeasurementSpec::displacement_signal>(
@@ -103,7 +97,6 @@ const std::vector<Key<InstrumentSpec>> instrument_keys = {
 
 const std::vector<Key<StagesSpec>> stages_keys = {
     key<&StagesSpec::match>({.name = "match",
-                             .allowed = {"auto", "displacement", "force", "frame"},
                              .doc = "what a measured and a simulated stage have in common; `frame`: the k-th stage is "
                                     "the k-th frame after the start; `auto`: the travel, which then must be known"}),
     key<&StagesSpec::displacement>(
@@ -116,7 +109,6 @@ const std::vector<Key<StagesSpec>> stages_keys = {
 const std::vector<Key<RegistrationSpec>> registration_keys = {
     key<&RegistrationSpec::method>(
         {.name = "method",
-         .allowed = {"least-squares", "marks", "axes", "none"},
          .doc = "how the measurement is laid on the blank: by the displacement field, by marks, by the specimen's "
                 "origin and angle, or as it is"}),
     key<&RegistrationSpec::measured_marks>(
@@ -133,9 +125,7 @@ const std::vector<Key<RegistrationSpec>> registration_keys = {
                                        "is (`auto`: 0); least squares: within some 20 deg, where a symmetric field "
                                        "leaves a choice"}),
     key<&RegistrationSpec::motion>(
-        {.name = "motion",
-         .allowed = {"fixed", "free"},
-         .doc = "`free`: the specimen also moved as a whole between the stages (or the camera did)"}),
+        {.name = "motion", .doc = "`free`: the specimen also moved as a whole between the stages (or the camera did)"}),
     key<&RegistrationSpec::reject>({.name = "reject",
                                     .unit = "1",
                                     .limits = at_least(2),
@@ -145,7 +135,6 @@ const std::vector<Key<RegistrationSpec>> registration_keys = {
 const std::vector<Key<ComparisonSpec>> comparison_keys = {
     key<&ComparisonSpec::symmetry>(
         {.name = "symmetry",
-         .allowed = {"none", "x", "y", "xy", "rotation"},
          .doc = "averages every field over its mirror images in the blank's frame: x -> -x, y -> -y, both, or both at "
                 "once (a half turn)"}),
     key<&ComparisonSpec::coverage>({.name = "coverage",
@@ -154,9 +143,7 @@ const std::vector<Key<ComparisonSpec>> comparison_keys = {
                                     .doc = "standard uncertainties within which measured and levelled angle agree"}),
     key<&ComparisonSpec::contour_step>(
         {.name = "contour_step", .unit = "deg", .limits = at_least(0.1), .doc = "from isoline to isoline"}),
-    key<&ComparisonSpec::fields>({.name = "fields",
-                                  .allowed = {"all", "last", "none"},
-                                  .doc = "stages whose points are written (CSV, VTU, isolines)"}),
+    key<&ComparisonSpec::fields>({.name = "fields", .doc = "stages whose points are written (CSV, VTU, isolines)"}),
 };
 
 const std::vector<Key<ZoneSpec>> zone_keys = {

@@ -56,7 +56,7 @@ const toml::node& place_of(const toml::table& root, const char* table, const cha
 }
 
 void check_delimiter(const std::string& delimiter, const toml::node& place, Complaints& complaints) {
-  const std::vector<std::string> names = {"auto", "comma", "semicolon", "tab", "space"};
+  const auto names = choice_names<Delimiter>();
   if (delimiter.size() == 1 || std::find(names.begin(), names.end(), delimiter) != names.end()) return;
   complaints.add(
       place, fmt::format("'delimiter' is '{}'; it must be one character{}", delimiter, did_you_mean(delimiter, names)));
@@ -64,7 +64,7 @@ void check_delimiter(const std::string& delimiter, const toml::node& place, Comp
 
 void check_measurement(const MeasurementSpec& spec, const toml::table& root, Complaints& complaints) {
   check_delimiter(spec.delimiter, place_of(root, "measurement", "delimiter"), complaints);
-  const bool mapped = spec.format == "columns";
+  const bool mapped = spec.format == MeasurementFormat::columns;
   using Named = std::pair<const char*, const std::string*>;
   for (const Named& named : {Named{"x", &spec.x}, {"y", &spec.y}, {"u", &spec.u}, {"v", &spec.v}})
     if (mapped && named.second->empty())
@@ -88,7 +88,7 @@ void check_measurement(const MeasurementSpec& spec, const toml::table& root, Com
 }
 
 void check_marks(const RegistrationSpec& spec, const toml::table& root, Complaints& complaints) {
-  if (spec.method != "marks") return;
+  if (spec.method != RegistrationMethod::marks) return;
   const toml::node& place = place_of(root, "registration", "measured_marks");
   const auto pairs = [](const auto& marks) {
     return std::all_of(marks.begin(), marks.end(), [](const auto& mark) { return mark.size() == 2; });
@@ -108,7 +108,7 @@ void check(const Settings& settings, const toml::table& root, Complaints& compla
   if (const auto& window = settings.instrument.window; window && std::fmod(*window, 2.0) != 1.0)
     complaints.add(place_of(root, "instrument", "window"),
                    fmt::format("'window' is {}; it must be an odd whole number of points", *window));
-  if (settings.stages.match == "force" && settings.stages.displacement.size() > 0)
+  if (settings.stages.match == MatchBy::force && settings.stages.displacement.size() > 0)
     complaints.add(place_of(root, "stages", "displacement"),
                    "'displacement' is not used with match = \"force\"; remove one of them");
   if (settings.virtual_dic.delimiter.size() != 1)

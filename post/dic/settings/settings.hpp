@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "post/dic/readers/measurement.hpp"
+#include "post/dic/settings/choices.hpp"
 
 namespace weaveform::dic {
 
@@ -21,26 +22,26 @@ struct InstrumentSpec {
 };
 
 struct StagesSpec {
-  std::string match = "auto";        // "auto", "displacement", "force", "frame"
+  MatchBy match = MatchBy::automatic;
   std::vector<double> displacement;  // mm; of each stage
   std::vector<double> force;         // N; of each stage
   std::string grip;                  // whose travel and force; "": the one that is pulled
 };
 
 struct RegistrationSpec {
-  std::string method = "least-squares";                              // "least-squares", "marks", "axes", "none"
+  RegistrationMethod method = RegistrationMethod::least_squares;
   std::vector<std::vector<double>> measured_marks, simulated_marks;  // mm; [x, y] each
   std::array<double, 2> origin = {0.0, 0.0};                         // mm; axes: the blank's centre in the measurement
-  std::optional<double> angle;   // deg; the blank's x axis in the measurement, axes: exact, least squares: roughly
-  std::string motion = "fixed";  // "fixed", "free": the camera or specimen moved between the stages
-  double reject = 4.0;           // robust standard deviations beyond which a point is an outlier
+  std::optional<double> angle;  // deg; the blank's x axis in the measurement, axes: exact, least squares: roughly
+  SpecimenMotion motion = SpecimenMotion::fixed;  // free: the camera or specimen moved between the stages
+  double reject = 4.0;                            // robust standard deviations beyond which a point is an outlier
 };
 
 struct ComparisonSpec {
-  std::string symmetry = "none";  // "none", "x", "y", "xy", "rotation"
-  double coverage = 2.0;          // standard uncertainties within which measured and levelled agree
-  double contour_step = 5.0;      // deg; isolines
-  std::string fields = "all";     // "all", "last", "none": stages whose points are written
+  FieldSymmetry symmetry = FieldSymmetry::none;
+  double coverage = 2.0;                      // standard uncertainties within which measured and levelled agree
+  double contour_step = 5.0;                  // deg; isolines
+  FieldsWritten fields = FieldsWritten::all;  // stages whose points are written
 };
 
 struct ZoneSpec {

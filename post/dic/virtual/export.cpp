@@ -11,7 +11,6 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/keys/key_value.hpp"
-#include "core/keys/nearest_name.hpp"
 #include "post/dic/virtual/facet.hpp"
 #include "post/dic/virtual/noise.hpp"
 #include "post/dic/virtual/rigid_motion.hpp"
@@ -223,13 +222,13 @@ std::string dice_text(const Grid& grid, const VirtualStage& stage, const Camera&
   return fmt::to_string(text);
 }
 
-std::string settings_text(const std::string& format, const Settings& settings, const Camera& camera,
+std::string settings_text(MeasurementFormat format, const Settings& settings, const Camera& camera,
                           const std::vector<double>& travel) {
   std::string text =
       "# What a comparison must be told about the files in stages/. Written by weaveform post "
       "virtual.\n\n[measurement]\n";
-  text += fmt::format("format = \"{}\"\n", format);
-  if (format == "dice")
+  text += fmt::format("format = \"{}\"\n", name_of(format));
+  if (format == MeasurementFormat::dice)
     text += fmt::format("pixel_size = {}  # mm\ndelimiter = {}\n", camera.pixel,
                         *toml_text(settings.virtual_dic.delimiter));
   text += fmt::format("\n[instrument]\nfacet_size = {:.10g}  # mm\nstep = {:.10g}  # mm\nwindow = {}  # points\n\n",
@@ -242,11 +241,8 @@ std::string settings_text(const std::string& format, const Settings& settings, c
 
 }  // namespace
 
-VirtualMeasurement export_virtual(const fs::path& result, const std::string& format, const Settings& settings,
+VirtualMeasurement export_virtual(const fs::path& result, MeasurementFormat format, const Settings& settings,
                                   const fs::path& output) {
-  if (format != "aramis" && format != "dice")
-    throw InputError(fmt::format("--format is '{}'; it must be 'aramis' or 'dice'{}", format,
-                                 did_you_mean(format, {"aramis", "dice"})));
   const Camera camera = camera_of(settings);
   const Simulation simulation(result, settings.stages.grip);
   const VirtualSpec& spec = settings.virtual_dic;
@@ -270,7 +266,7 @@ VirtualMeasurement export_virtual(const fs::path& result, const std::string& for
     const SimulatedState state = simulation.at_frame((k * last + count - 1) / count);
     const VirtualStage stage = make_stage(grid, state, spec, static_cast<int>(k));
     measurement.files.push_back(output / "stages" / fmt::format("stage_{:03}.txt", k));
-    write_text_whole(measurement.files.back(), format == "aramis"
+    write_text_whole(measurement.files.back(), format == MeasurementFormat::aramis
                                                    ? aramis_text(grid, stage, camera, spec.decimal_comma)
                                                    : dice_text(grid, stage, camera, spec.delimiter.front()));
     travel.push_back(state.travel);

@@ -9,7 +9,7 @@
 namespace weaveform::study {
 namespace {
 
-BorderSpec between(double holds, double fails, const std::string& scale = "linear") {
+BorderSpec between(double holds, double fails, BisectionScale scale = BisectionScale::linear) {
   BorderSpec spec;
   spec.holds = holds;
   spec.fails = fails;
@@ -46,7 +46,7 @@ TEST(BorderSearch, FindsTheBorderFromEitherSide) {
 }
 
 TEST(BorderSearch, LogarithmicSpansDecadesInFewSteps) {
-  BorderSpec spec = between(1e-3, 1e3, "logarithmic");
+  BorderSpec spec = between(1e-3, 1e3, BisectionScale::logarithmic);
   const BorderSearch search = search_by_steps(spec, [](double value) { return value < 0.02; });
   EXPECT_LE(std::log(search.fails / search.holds), 0.02);
   EXPECT_LT(search.holds, 0.02);

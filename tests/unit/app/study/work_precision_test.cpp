@@ -49,7 +49,7 @@ TEST(WorkPrecision, ErrorsAreRelativeToTheLimitOfTheirGroup) {
 TEST(WorkPrecision, AReferenceCaseHasNoErrorOfItsOwn) {
   Study study;
   study.file = "s.toml";
-  study.work_precision = WorkPrecisionSpec{.measures = {}, .reference = "case"};
+  study.work_precision = WorkPrecisionSpec{.measures = {}, .reference = ErrorReference::one_case};
   Settings& pick = study.reference.reference_case.settings;
   pick = {{"model.yarn_law", "card", std::nullopt, {}}, {"blank.coarsening", "1", 1.0, {}}};
   const Table table = two_laws();

@@ -62,8 +62,9 @@ TEST(RawTable, ComplainsWithFileAndLine) {
   EXPECT_NE(complaint_of("x,y\n0,5,1,5\n1,5,2,5\n").find("twice as many cells"), std::string::npos);
   EXPECT_NE(complaint_of("x,y\n").find("no rows of numbers"), std::string::npos);
   EXPECT_NE(complaint_of("").find("has no rows"), std::string::npos);
-  EXPECT_NE(complaint_of("x,y\n1,2\n", {.delimiter = "comma", .decimal = "comma"}).find("cannot be both"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint_of("x,y\n1,2\n", {.delimiter = Delimiter::comma, .decimal = DecimalSign::comma}).find("cannot be both"),
+      std::string::npos);
   EXPECT_NE(complaint_of(std::string("PK\0\1", 4)).find("not plain text"), std::string::npos);
 }
 

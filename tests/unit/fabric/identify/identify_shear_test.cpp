@@ -130,9 +130,10 @@ std::vector<ShearSpecimen> specimens_of(const ShearCurve& truth, double noise) {
 
 TEST(ShearForm, TheStartIsTakenOnlyWhereThereIsOne) {
   const ShearCurve with_start{{0.0, 0.05, 0.1, 0.0, 0.3}, {0.07, 0.02}}, without{{0.0, 0.264, -0.533, 0.313, 0.42}, {}};
-  EXPECT_TRUE(fit_shear(specimens_of(with_start, 1e-3), 4, "auto", 0.95).start_chosen);
-  EXPECT_FALSE(fit_shear(specimens_of(without, 1e-3), 4, "auto", 0.95).start_chosen);
-  EXPECT_TRUE(fit_shear(specimens_of(without, 1e-3), 4, "polynomial+start", 0.95).start_chosen) << "as asked for";
+  EXPECT_TRUE(fit_shear(specimens_of(with_start, 1e-3), 4, FormAsked::automatic, 0.95).start_chosen);
+  EXPECT_FALSE(fit_shear(specimens_of(without, 1e-3), 4, FormAsked::automatic, 0.95).start_chosen);
+  EXPECT_TRUE(fit_shear(specimens_of(without, 1e-3), 4, FormAsked::polynomial_start, 0.95).start_chosen)
+      << "as asked for";
 }
 
 TEST(LocalValue, AveragesNoiseAndKeepsAParabola) {

@@ -15,6 +15,7 @@
 #include "mesher/exchange/tool_mesh.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
+#include "tests/support/chosen.hpp"
 #include "tests/support/deck_blocks.hpp"
 
 namespace weaveform {
@@ -319,7 +320,7 @@ TEST(ExportDecks, ToolMeshesLieOnTheirTools) {
     Case model = hemisphere();
     ToolSpec& punch = model.scene.tools[2];
     ASSERT_EQ(punch.name, "punch");
-    punch.shape = shape;
+    punch.shape = test::chosen(shape);
     if (shape == "cylinder") punch.axis = {1.0, 0.5, 0.0}, punch.position = {0.0, 0.0, 80.0};
     if (shape == "revolved") punch.profile = {{0, -10}, {40, -10, 8}, {60, 30}};
     const auto gathered = foreign::gather(model.scene, model.card, model.mesh, 0.5, "test");

@@ -43,7 +43,8 @@ struct Case {
     const double rest = yarns.rest_length[e] + yarns.jaw[e], whole = length + yarns.jaw[e];
     const auto law = yarn_laws(card, scene.model)[static_cast<std::size_t>(yarns.family[e])];
     const double area = yarns.section[e] * yarns.softening[e];
-    return law.stress(std::log(whole / rest)) * area * (scene.model.section == "incompressible" ? rest / whole : 1.0);
+    return law.stress(std::log(whole / rest)) * area *
+           (scene.model.section == Section::incompressible ? rest / whole : 1.0);
   }
 };
 
@@ -150,7 +151,7 @@ TEST(ExportLaws, SpringsOfSeatbeltsBearNoCompressionWithoutAPartner) {
 
 // N/mm of thickness: stress power of the solver's cell per flat area and thickness, d(w)/d(gamma) = S cos gamma.
 double cell_power(const Case& model, double gamma) {
-  const double share = model.scene.model.thickness == "constant" ? std::cos(gamma) : 1.0;
+  const double share = model.scene.model.thickness == Thickness::constant ? std::cos(gamma) : 1.0;
   return share * shear_stress(model.card.shear, log_shear_strain(gamma)) * std::cos(gamma);
 }
 

@@ -240,7 +240,7 @@ TEST(ImportForeign, LeavesTheToolsShellsOutAndGivesThemAsASurface) {
   Scene scene = model.scene;
   ToolSpec punch;
   punch.name = "punch";
-  punch.shape = "triangles";
+  punch.shape = ToolShape::triangles;
   scene.tools.push_back(punch);
   EXPECT_EQ(import_foreign(file, scene, model.card).mesh.cells.size(), model.mesh.cells.size());
   const auto surface = tool_surface(file, "punch");

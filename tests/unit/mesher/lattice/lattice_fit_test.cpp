@@ -162,7 +162,7 @@ TEST(LatticeFit, WithoutGripsOrWithAPlaceOfTheUsersOwnTheLatticeIsAsAsked) {
   Animal loose = gripped;
   loose.scene.grip.clear();
   Animal unfitted = gripped;
-  unfitted.scene.blank.fit = "none";
+  unfitted.scene.blank.fit = LineFit::none;
   Animal shifted = gripped;
   shifted.scene.blank.phase = {0.25, 0.0};
   for (const auto& a : {loose, unfitted, shifted}) {

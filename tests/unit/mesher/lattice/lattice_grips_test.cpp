@@ -119,7 +119,6 @@ TEST(LatticeGrips, AGripWithNothingToHoldIsRefusedByName) {
   far.box = std::array<double, 4>{1000.0, 1000.0, 1001.0, 1001.0};
   GripSpec odd;
   odd.name = "odd";
-  odd.edge = "middle";
   for (const auto& grip : {far, odd}) {
     a.scene.grip = {grip};
     try {

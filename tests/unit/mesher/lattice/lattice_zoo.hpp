@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mesher/lattice/build.hpp"
+#include "tests/support/chosen.hpp"
 
 namespace weaveform::lattice_zoo {
 
@@ -48,7 +49,7 @@ struct Animal {
 inline GripSpec grip_on(const std::string& edge) {
   GripSpec grip;
   grip.name = edge;
-  grip.edge = edge;
+  grip.edge = test::chosen(edge);
   return grip;
 }
 

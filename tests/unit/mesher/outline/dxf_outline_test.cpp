@@ -134,7 +134,7 @@ TEST(DxfOutline, UnitsAreTheDrawings) {
   ASSERT_EQ(none.outline.notes.size(), 1U);
   EXPECT_NE(none.outline.notes[0].find("taken for mm"), std::string::npos);
   DxfAsked asked;
-  asked.unit = "cm";
+  asked.unit = LengthUnit::cm;
   Read told = read(drawing(square, "9 $INSUNITS 70 0"), asked);
   EXPECT_NEAR(told.area(), 100.0 * area, 1e-6);
   EXPECT_TRUE(told.outline.notes.empty());

@@ -26,7 +26,7 @@ struct Blank {
   double area;  // mm^2; exact
 };
 
-Scene shaped(const std::string& shape, std::array<double, 2> size = {115.0, 230.0}) {
+Scene shaped(BlankShape shape, std::array<double, 2> size = {115.0, 230.0}) {
   Scene scene;
   scene.blank.shape = shape;
   scene.blank.size = size;
@@ -46,15 +46,15 @@ fs::path notched_file() {
 
 std::vector<Blank> outlines() {
   std::vector<Blank> blanks;
-  blanks.push_back({"disc", shaped("disc", {150.0, 150.0}), std::numbers::pi * 75.0 * 75.0});
-  blanks.push_back({"ellipse", shaped("disc", {200.0, 120.0}), std::numbers::pi * 100.0 * 60.0});
-  Blank triangle{"triangle", shaped("polygon"), 0.5 * 180.0 * 150.0};
+  blanks.push_back({"disc", shaped(BlankShape::disc, {150.0, 150.0}), std::numbers::pi * 75.0 * 75.0});
+  blanks.push_back({"ellipse", shaped(BlankShape::disc, {200.0, 120.0}), std::numbers::pi * 100.0 * 60.0});
+  Blank triangle{"triangle", shaped(BlankShape::polygon), 0.5 * 180.0 * 150.0};
   triangle.scene.blank.corners = {{-90, -60}, {90, -60}, {20, 90}};
   blanks.push_back(triangle);
-  Blank letter{"clockwise L", shaped("polygon"), 150.0 * 150.0 - 80.0 * 90.0};
+  Blank letter{"clockwise L", shaped(BlankShape::polygon), 150.0 * 150.0 - 80.0 * 90.0};
   letter.scene.blank.corners = {{0, 0}, {0, 150}, {70, 150}, {70, 60}, {150, 60}, {150, 0}};
   blanks.push_back(letter);
-  Blank notched{"notched with holes", shaped("file"), 180.0 * 120.0 - 20.0 * 30.0 - 400.0 - 300.0};
+  Blank notched{"notched with holes", shaped(BlankShape::file), 180.0 * 120.0 - 20.0 * 30.0 - 400.0 - 300.0};
   notched.scene.blank.outline = notched_file().string();
   blanks.push_back(notched);
   return blanks;
@@ -121,7 +121,7 @@ TEST(OutlineZoo, ACrossHasYarnsInItsArmsAndCellsInItsMiddle) {
   for (const Card& card : {plain_weave(), twill()})
     for (const double angle : {0.0, 90.0})
       for (const double coarsening : {1.0, 2.0}) {
-        Scene scene = shaped("cross", {230.0, 200.0});
+        Scene scene = shaped(BlankShape::cross, {230.0, 200.0});
         scene.blank.arm_width = 120.0;
         scene.blank.yarn_angle = angle;
         scene.blank.coarsening = {coarsening, coarsening};
@@ -145,7 +145,8 @@ TEST(OutlineZoo, ACrossHasYarnsInItsArmsAndCellsInItsMiddle) {
             EXPECT_FALSE(set.node.empty());
             for (const int n : set.node) {
               const auto& x = mesh.nodes.position[n];
-              EXPECT_NEAR(grip.edge == "left" || grip.edge == "right" ? std::abs(x[0]) - 115.0 : std::abs(x[1]) - 100.0,
+              EXPECT_NEAR(grip.edge == BlankEdge::left || grip.edge == BlankEdge::right ? std::abs(x[0]) - 115.0
+                                                                                        : std::abs(x[1]) - 100.0,
                           0.0, 1e-9);
             }
           }
@@ -153,7 +154,7 @@ TEST(OutlineZoo, ACrossHasYarnsInItsArmsAndCellsInItsMiddle) {
 }
 
 TEST(OutlineZoo, AShapeWithoutNamedEdgesAsksForABox) {
-  Scene scene = shaped("disc", {150.0, 150.0});
+  Scene scene = shaped(BlankShape::disc, {150.0, 150.0});
   scene.grip = {lattice_zoo::grip_on("bottom")};
   try {
     static_cast<void>(build_mesh(scene, plain_weave()));
@@ -168,7 +169,7 @@ TEST(OutlineZoo, AShapeWithoutNamedEdgesAsksForABox) {
 // Two blanks cut from one roll: every yarn of the second lies a whole number of intervals from those of the first.
 TEST(OutlineZoo, BlanksOfOneRollShareTheirYarns) {
   const Card card = plain_weave();
-  Scene first = shaped("disc", {150.0, 150.0}), second = first;
+  Scene first = shaped(BlankShape::disc, {150.0, 150.0}), second = first;
   for (auto* scene : {&first, &second}) scene->blank.yarn_angle = 0.0;
   first.blank.on_roll = {10.0, 20.0};
   second.blank.on_roll = {333.3, -71.7};
@@ -192,7 +193,7 @@ std::string outline_script(const std::string& text) {
 
 // A plate with a round hole and a notch, as a Gmsh script: read through the same door as STEP, IGES and BREP.
 TEST(OutlineCad, APlateWithAHoleAndANotchHasItsArea) {
-  Scene scene = shaped("file");
+  Scene scene = shaped(BlankShape::file);
   scene.blank.outline = outline_script(
       "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-90, -60, 0, 180, 120};\nDisk(2) = {40, 10, 0, 20};\n"
       "Rectangle(3) = {-10, -60, 0, 20, 30};\nBooleanDifference{ Surface{1}; Delete; }{ Surface{2,3}; Delete; }\n");
@@ -206,7 +207,7 @@ TEST(OutlineCad, APlateWithAHoleAndANotchHasItsArea) {
 }
 
 TEST(OutlineCad, OpenAndTiltedCurvesAreNamedByPlace) {
-  Scene scene = shaped("file");
+  Scene scene = shaped(BlankShape::file);
   const auto message = [&](const std::string& text) -> std::string {
     scene.blank.outline = outline_script(text);
     try {

@@ -29,36 +29,41 @@ Scene unusual_scene() {
   Scene scene;
   scene.file = "s.toml";
   scene.fabric.material = "cards/a \"b\" \\ c.toml";
-  scene.blank = {.shape = "rectangle",
+  scene.blank = {.shape = BlankShape::rectangle,
                  .size = {0.1, 1e5 / 3},
                  .yarn_angle = -12.5,
                  .coarsening = {0.5, 2.25},
                  .phase = {0.25, -1.0 / 3},
                  .corners = {},
                  .outline = "",
-                 .outline_unit = "",
+                 .outline_unit = {},
                  .outline_layers = {},
                  .arm_width = {},
                  .on_roll = {},
-                 .fit = "none",
+                 .fit = LineFit::none,
                  .orientation = 30,
                  .position = {1, -2, 3e-7}};
-  scene.model = {.yarn = "beam",
-                 .cell = "shell",
-                 .formulation = "contravariant",
-                 .thickness = "constant",
-                 .section = "constant",
-                 .yarn_law = "slack",
+  scene.model = {.yarn = YarnElement::beam,
+                 .cell = CellElement::shell,
+                 .formulation = Formulation::contravariant,
+                 .thickness = Thickness::constant,
+                 .section = Section::constant,
+                 .yarn_law = YarnLaw::slack,
                  .slack = 0.1 / 3,
                  .yarn_stiffness_scale = 0.01,
                  .compression_modulus = 2.5,
-                 .symmetry = "half",
+                 .symmetry = SymmetryUse::half,
                  .yarn_bending = {{3.5, 1.0 / 7}},
                  .cell_bending = {{1, 2, 0.3}},
                  .transverse_shear = 0.7};
-  scene.grip = {{.name = "held", .edge = "left", .box = {}, .travel = 0, .direction = {}, .free = {"x", "z"}},
+  scene.grip = {{.name = "held",
+                 .edge = BlankEdge::left,
+                 .box = {},
+                 .travel = 0,
+                 .direction = {},
+                 .free = {Component::x, Component::z}},
                 {.name = "pulled",
-                 .edge = "",
+                 .edge = {},
                  .box = {{-1, -2, 3, 4.5}},
                  .travel = -12.75,
                  .direction = {{0.6, 0, 0.8}},
@@ -66,7 +71,7 @@ Scene unusual_scene() {
   scene.analysis = {.duration = 0.1 + 0.2,  // 0.30000000000000004: needs all 17 digits
                     .loading_speed = {},
                     .step_factor = 0.5,
-                    .step_bound = "reached",
+                    .step_bound = StepBound::reached,
                     .bending_every = 3,
                     .mass_scale = 2.5,
                     .contact_stiffness = 0.125,
@@ -166,7 +171,7 @@ TEST(Override, ReplacesAddsAndFindsByNameAndIndex) {
   EXPECT_EQ(scene.grip[1].travel, 40.0);
   EXPECT_EQ(scene.grip[0].travel, -1.5);
   EXPECT_EQ(scene.fabric.material, "twintex-tw");
-  EXPECT_EQ(scene.model.formulation, "contravariant");
+  EXPECT_EQ(scene.model.formulation, Formulation::contravariant);
 }
 
 TEST(Override, LastOneWins) {

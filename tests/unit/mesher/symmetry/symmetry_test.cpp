@@ -114,7 +114,7 @@ TEST(Symmetry, WhatBreaksItIsNamed) {
       {"grips that let different things go",
        [](Scene& s) {
          s.grip = {grip("left", 1.0), grip("right", 1.0)};
-         s.grip[0].free = {"y"};
+         s.grip[0].free = {Component::y};
        },
        "half", "differ in travel or freedom"},
       {"yarns at 45 deg of different families",
@@ -132,16 +132,17 @@ TEST(Symmetry, WhatBreaksItIsNamed) {
       {"cells that bend unequally, at 45 deg",
        [](Scene& s) {
          s.blank.yarn_angle = 45.0;
-         s.model.cell = "rotation-free";
+         s.model.cell = CellElement::rotation_free;
          s.model.cell_bending = {{30.0, 40.0, 20.0}};
        },
        "none", "along which the cells bend differently"},
-      {"shells", [](Scene& s) { s.model.cell = "shell"; }, "none", "shell cells have no mirror planes"},
-      {"side frames at 45 deg", [](Scene& s) { s.blank.yarn_angle = 45.0, s.model.formulation = "side-frame"; }, "none",
+      {"shells", [](Scene& s) { s.model.cell = CellElement::shell; }, "none", "shell cells have no mirror planes"},
+      {"side frames at 45 deg",
+       [](Scene& s) { s.blank.yarn_angle = 45.0, s.model.formulation = Formulation::side_frame; }, "none",
        "the side frame follows the warp"},
       {"triangles",
        [](Scene& s) {
-         s.tools[2].shape = "triangles";
+         s.tools[2].shape = ToolShape::triangles;
          s.tools[2].file = write_tetrahedron();
        },
        "none", "is made of triangles"},
@@ -178,7 +179,7 @@ TEST(Symmetry, WhatDoesNotBreakItIsNot) {
        }},
       {"a bar across",
        [](Scene& s) {
-         s.tools[2].shape = "cylinder";
+         s.tools[2].shape = ToolShape::cylinder;
          s.tools[2].axis = {1.0, 0.0, 0.0};
          s.tools[2].position = {{5.0, 0.0, 20.25}};
        }},
@@ -212,9 +213,9 @@ TEST(Symmetry, WhatDoesNotBreakItIsNot) {
 TEST(Symmetry, AskedForInVainIsAnErrorThatNamesTheFirstThingInTheWay) {
   Scene scene = drawing();
   scene.tools[2].position = {{0.1, 0.0, 20.25}};
-  scene.model.symmetry = "half";
+  scene.model.symmetry = SymmetryUse::half;
   EXPECT_EQ(symmetry_of(scene).word(), "half");
-  scene.model.symmetry = "quarter";
+  scene.model.symmetry = SymmetryUse::quarter;
   try {
     (void)symmetry_of(scene);
     FAIL() << "no quarter, and no complaint";
@@ -225,17 +226,17 @@ TEST(Symmetry, AskedForInVainIsAnErrorThatNamesTheFirstThingInTheWay) {
         "it or leans across it; use \"auto\"");
   }
   scene.analysis.perturbation = 0.1;
-  scene.model.symmetry = "half";
+  scene.model.symmetry = SymmetryUse::half;
   EXPECT_THROW((void)symmetry_of(scene), InputError);
-  scene.model.symmetry = "none";
+  scene.model.symmetry = SymmetryUse::none;
   EXPECT_EQ(symmetry_of(scene).word(), "none");
 }
 
 TEST(Symmetry, KeyTakesAPlainFalse) {
   const std::string file = std::string(WEAVEFORM_SOURCE_DIR) + "/examples/hemisphere_pw.toml";
-  EXPECT_EQ(read_scene(file, {}).model.symmetry, "auto");
-  EXPECT_EQ(read_scene(file, {"model.symmetry=false"}).model.symmetry, "none");
-  EXPECT_EQ(read_scene(file, {"model.symmetry=quarter"}).model.symmetry, "quarter");
+  EXPECT_EQ(read_scene(file, {}).model.symmetry, SymmetryUse::automatic);
+  EXPECT_EQ(read_scene(file, {"model.symmetry=false"}).model.symmetry, SymmetryUse::none);
+  EXPECT_EQ(read_scene(file, {"model.symmetry=quarter"}).model.symmetry, SymmetryUse::quarter);
   try {
     (void)read_scene(file, {"model.symmetry=true"});
     FAIL() << "true means nothing here";

@@ -31,11 +31,11 @@ double norm(const Vec3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 
-Tool shape(const std::string& word, const std::function<void(ToolSpec&)>& set = {}) {
+Tool shape(ToolShape kind, const std::function<void(ToolSpec&)>& set = {}) {
   Scene scene;
   ToolSpec spec;
   spec.name = "tool";
-  spec.shape = word;
+  spec.shape = kind;
   spec.position = {{0.0, 0.0, 0.0}};
   if (set) set(spec);
   scene.tools = {spec};
@@ -43,23 +43,23 @@ Tool shape(const std::string& word, const std::function<void(ToolSpec&)>& set = 
 }
 
 Tool ring(double opening, double fillet) {
-  return shape("ring", [&](ToolSpec& s) {
+  return shape(ToolShape::ring, [&](ToolSpec& s) {
     s.opening_radius = opening;
     s.fillet_radius = fillet;
   });
 }
 Tool sphere(double radius) {
-  return shape("sphere", [&](ToolSpec& s) { s.radius = radius; });
+  return shape(ToolShape::sphere, [&](ToolSpec& s) { s.radius = radius; });
 }
 Tool revolved(const std::vector<std::vector<double>>& corners) {
-  return shape("revolved", [&](ToolSpec& s) { s.profile = corners; });
+  return shape(ToolShape::revolved, [&](ToolSpec& s) { s.profile = corners; });
 }
 
 // Every shape once, with corners, arcs, hollow arcs and endless lines among the profiles.
 std::vector<Tool> zoo() {
-  return {shape("plane"),
+  return {shape(ToolShape::plane),
           sphere(7.5),
-          shape("cylinder", [](ToolSpec& s) { s.radius = 4.0; }),
+          shape(ToolShape::cylinder, [](ToolSpec& s) { s.radius = 4.0; }),
           ring(8.0, 2.0),
           ring(8.0, 0.0),
           revolved({{0, 0}, {6, 0, 2}, {6, 9}}),

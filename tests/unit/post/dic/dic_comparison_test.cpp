@@ -128,7 +128,7 @@ TEST_F(SettingsFile, OverridesReplaceValuesAndComplainByName) {
   test::write_text("[instrument]\nfacet_size = 3\n", file());
   const Settings settings = read_settings(file(), {"instrument.facet_size=4.5", "measurement.y_axis=up"});
   EXPECT_EQ(settings.instrument.facet_size.value(), 4.5);
-  EXPECT_EQ(settings.measurement.y_axis, "up");
+  EXPECT_EQ(settings.measurement.y_axis, dic::YAxis::up);
   EXPECT_NE(complaints("", {"instrument.facet=4"}).find("--set instrument.facet: unknown key"), std::string::npos);
   EXPECT_NE(complaints("", {"instrment.facet=4"}).find("did you mean 'instrument'"), std::string::npos);
   EXPECT_NE(complaints("", {"facet"}).find("must be TABLE.KEY=VALUE"), std::string::npos);

@@ -123,7 +123,7 @@ TEST_F(DicReader, AramisInMetresAndInches) {
   EXPECT_DOUBLE_EQ(read(text("\xB5m")).reference[3][1], 1e-3);  // Latin-1
   EXPECT_TRUE(says(refusal("# ID;x_undef;y_undef;u;v\n1;0;0;0;0\n"), "is it in mm, m, um, in or pixels?"));
   EXPECT_TRUE(says(refusal("# ID;x_undef [mm];y_undef [mm];u [m];v [m]\n1;0;0;0;0\n"), "differ in their unit"));
-  spec.length_unit = "mm";
+  spec.length_unit = dic::MeasuredUnit::mm;
   EXPECT_TRUE(says(refusal(text("in")), "which is right?"));
 }
 
@@ -159,7 +159,7 @@ TEST_F(DicReader, DiceWithoutHeaderUsesTheMatchFlag) {
 // Stereo: MODEL_ columns in a unit the file does not name; the senses of y follow from the image's.
 TEST_F(DicReader, DiceStereoAsksForTheUnitAndFindsUp) {
   EXPECT_THROW((void)sample("dice_stereo_3d.txt", spec), InputError);
-  spec.length_unit = "mm";
+  spec.length_unit = dic::MeasuredUnit::mm;
   const MeasuredStage stage = sample("dice_stereo_3d.txt", spec);
   EXPECT_EQ(stage.size(), 60U);
   EXPECT_DOUBLE_EQ(stage.reference[0][1], -2.1956);
@@ -194,12 +194,12 @@ TEST_F(DicReader, Vic3dQuotedHeadingBelowATitle) {
       "0;1,0;2,0;0,5;0,1;0,2;0,3;0,01\n1;2,0;2,0;0,5;0,1;0,2;0,3;0,01\n2;1,0;3,0;0,5;0,1;0,2;0,3;0,01\n"
       "3;2,0;3,0;0,5;0,1;0,2;0,3;0,01\n4;0;0;0;0;0;0;-1\n";
   EXPECT_TRUE(says(refusal(text), "does Y point up or down on the specimen?"));
-  spec.y_axis = "up";
+  spec.y_axis = dic::YAxis::up;
   const MeasuredStage stage = read(text);
   EXPECT_EQ(stage.size(), 4U);  // the failed point's zeros are no position
   EXPECT_EQ(stage.failed, 1);
   EXPECT_EQ(stage.displacement_field[0], (Vec3{0.1, 0.2, 0.3}));
-  spec.y_axis = "down";
+  spec.y_axis = dic::YAxis::down;
   EXPECT_EQ(read(text).displacement_field[0], (Vec3{0.1, -0.2, -0.3}));
 }
 
@@ -271,9 +271,9 @@ TEST_F(DicReader, OpenCorrStereoIsInTheUnitOfItsCalibration) {
   EXPECT_TRUE(says(refusal(stereo_table(field)), "--set measurement.length_unit=mm"));
   spec.pixel_size = 0.05;  // is of no use here
   EXPECT_TRUE(says(refusal(stereo_table(field)), "column 'ref_x' has no unit"));
-  spec.length_unit = "px";
+  spec.length_unit = dic::MeasuredUnit::px;
   EXPECT_TRUE(says(refusal(stereo_table(field)), "are lengths"));
-  spec.length_unit = "mm";
+  spec.length_unit = dic::MeasuredUnit::mm;
   for (const double up : {-1.0, 1.0}) {
     const Field turned{.scale = 0.05, .up = up};
     const MeasuredStage stage = read(stereo_table(turned, 4));
@@ -285,7 +285,7 @@ TEST_F(DicReader, OpenCorrStereoIsInTheUnitOfItsCalibration) {
     EXPECT_DOUBLE_EQ(stage.displacement_field[99][0], -0.02 * 4.5);
     EXPECT_DOUBLE_EQ(stage.displacement_field[99][1], 0.02 * -4.5);
   }
-  spec.length_unit = "m";
+  spec.length_unit = dic::MeasuredUnit::m;
   EXPECT_DOUBLE_EQ(read(stereo_table(field)).reference[99][0], 4500.0);
 }
 
@@ -319,7 +319,7 @@ TEST_F(DicReader, TablesLikeOpenCorrsAreNotTakenForPixels) {
   const std::string lengths =
       "x [mm],y [mm],u [mm],v [mm],ZNCC\n0,0,1,2,0.9\n1,0,1,2,0.9\n0,1,1,2,0.9\n1,1,1,2,-1\n0,2,1,2,0.9\n";
   EXPECT_TRUE(says(refusal(lengths), "point up or down on the specimen?"));
-  spec.y_axis = "up";
+  spec.y_axis = dic::YAxis::up;
   const MeasuredStage stage = read(lengths);
   EXPECT_EQ(stage.displacement_field[0], (Vec3{1.0, 2.0, 0.0}));
   EXPECT_EQ(stage.failed, 1);
@@ -367,7 +367,7 @@ TEST_F(DicMatrix, SistersAreFoundAndFailedPointsAreWords) {
   spec.grid_step = 20.0;
   spec.grid_first = {300.0, 200.0};
   spec.pixel_size = 0.05;
-  spec.y_axis = "down";
+  spec.y_axis = dic::YAxis::down;
   for (const char* name : {"stage1_U[mm].csv", "stage1_V[mm].csv"}) {
     const MeasuredStage one = stage(name);
     ASSERT_EQ(one.size(), 165U);
@@ -380,7 +380,7 @@ TEST_F(DicMatrix, SistersAreFoundAndFailedPointsAreWords) {
     EXPECT_TRUE(noted(one, "'Non un numero reale'"));
   }
   // rows go down whichever way v counts
-  spec.y_axis = "up";
+  spec.y_axis = dic::YAxis::up;
   EXPECT_NEAR(stage("stage1_U[mm].csv").reference[16][1], -0.05 * 220.0, 1e-12);
   EXPECT_NEAR(stage("stage1_U[mm].csv").displacement_field[16][1], 0.2, 1e-12);
 }
@@ -394,9 +394,9 @@ TEST_F(DicMatrix, EverythingUnknownIsAskedAtOnceWithItsKey) {
   for (const char* key :
        {"measurement.length_unit", "measurement.grid_step", "measurement.pixel_size", "measurement.y_axis"})
     EXPECT_EQ(std::count(keys.begin(), keys.end(), key), 1) << key;
-  spec.length_unit = "mm";
+  spec.length_unit = dic::MeasuredUnit::mm;
   spec.grid_pitch = 1.5;
-  spec.y_axis = "up";
+  spec.y_axis = dic::YAxis::up;
   EXPECT_NEAR(stage("plot_u_dic.csv").reference[1][0], 1.5, 1e-12) << "a pitch in mm needs no pixel";
 }
 
@@ -442,7 +442,7 @@ TEST_F(DicMatrix, MatricesOfPlacesReplaceTheGrid) {
   write_matrix("s_V[mm].csv", false);
   write_matrix("s_X[mm].csv", true);   // 0.1 (c - 7)
   write_matrix("s_Y[mm].csv", false);  // -0.05 (r - 5)
-  spec.y_axis = "up";
+  spec.y_axis = dic::YAxis::up;
   const MeasuredStage one = stage("s_X[mm].csv");
   EXPECT_NEAR(one.reference[16][0], -0.6, 1e-12);
   EXPECT_NEAR(one.reference[16][1], 0.2, 1e-12);
@@ -454,7 +454,7 @@ TEST_F(DicMatrix, ZerosByTheHundredAreAskedAbout) {
   for (int r = 0; r < 10; ++r) zeros.append(r < 5 ? "0 0 0 0 0\n" : "1 2 3 4 5\n");
   write_text(zeros, folder_.path() / "u.txt");
   write_text(zeros, folder_.path() / "v.txt");
-  spec.length_unit = "px";
+  spec.length_unit = dic::MeasuredUnit::px;
   spec.pixel_size = 0.1;
   spec.grid_step = 5.0;
   try {
@@ -464,9 +464,9 @@ TEST_F(DicMatrix, ZerosByTheHundredAreAskedAbout) {
     EXPECT_TRUE(says(error.what(), "25 of 50 points")) << error.what();
     EXPECT_TRUE(says(error.what(), "--set measurement.grid_zeros=missing")) << error.what();
   }
-  spec.grid_zeros = "missing";
+  spec.grid_zeros = dic::GridZeros::missing;
   EXPECT_EQ(good(stage("u.txt")), 25);
-  spec.grid_zeros = "measured";
+  spec.grid_zeros = dic::GridZeros::measured;
   EXPECT_EQ(good(stage("u.txt")), 50);
 }
 
@@ -522,9 +522,9 @@ TEST_F(DicReader, UnknownColumnsBesideXyuvAreAskedAbout) {
       EXPECT_TRUE(says(text, fmt::format("--set measurement.{}", key))) << key;
   }
   EXPECT_EQ(good(read(rows("x,y,u,v,exx", "0.5"))), 4);
-  spec.format = "vic";
+  spec.format = dic::MeasurementFormat::vic;
   EXPECT_EQ(good(read(rows("x,y,u,v,depth", "0.5"))), 4);
-  spec.format = "auto";
+  spec.format = dic::MeasurementFormat::automatic;
   spec.pixel_size.reset();
   const std::string bare = refusal("x,y,u,v\n0,0,1,2\n7,0,1,2\n0,7,1,2\n7,7,1,2\n");
   EXPECT_TRUE(says(bare, "is it in mm, m, um, in or pixels?")) << bare;
@@ -537,7 +537,7 @@ TEST_F(DicReader, PyvaleGradientsWithoutAllComponentsAreAnUnknownTable) {
 }
 
 TEST_F(DicReader, AnyTableThroughAMap) {
-  spec.format = "columns";
+  spec.format = dic::MeasurementFormat::columns;
   spec.x = "pos x";
   spec.y = "pos y";
   spec.u = "dx";
@@ -551,7 +551,7 @@ TEST_F(DicReader, AnyTableThroughAMap) {
       "0.9;1;1;0.2;0;2\n0.9;2;1;0.2;0;2\n0.9;1;2;0.2;0;2\n0.9;2;2;0.2;0;2\n0.1;3;3;5;5;2\n";
   write_text(text, folder_.path() / "any.csv");
   EXPECT_THROW((void)read_stages(folder_.path() / "any.csv", spec), InputError);  // up or down?
-  spec.y_axis = "up";
+  spec.y_axis = dic::YAxis::up;
   const auto stages = read_stages(folder_.path() / "any.csv", spec);
   ASSERT_EQ(stages.size(), 2U);
   EXPECT_DOUBLE_EQ(stages[1].displacement_field[0][0], 2.0);
@@ -564,13 +564,13 @@ TEST_F(DicReader, AnyTableThroughAMap) {
 }
 
 TEST_F(DicReader, ColumnsByNumberNeedNoHeading) {
-  spec.format = "columns";
+  spec.format = dic::MeasurementFormat::columns;
   spec.x = "2";
   spec.y = "3";
   spec.u = "4";
   spec.v = "5";
-  spec.y_axis = "up";
-  spec.length_unit = "mm";
+  spec.y_axis = dic::YAxis::up;
+  spec.length_unit = dic::MeasuredUnit::mm;
   const MeasuredStage stage = read("1 0 0 0.5 0\n2 1 0 0.5 0\n3 0 1 0.5 0\n4 1 1 0.5 0\n");
   EXPECT_EQ(stage.size(), 4U);
   EXPECT_EQ(stage.displacement_field[3][0], 0.5);
@@ -597,7 +597,7 @@ TEST_F(DicReader, RefusesWhatCannotBeDecided) {
 // Damaged files are read or refused with a reason; nothing else comes out of a reader.
 TEST_F(DicReader, DamagedFilesAreReadOrRefused) {
   spec.pixel_size = 0.1;
-  spec.length_unit = "auto";
+  spec.length_unit = dic::MeasuredUnit::automatic;
   int refused = 0;
   for (const char* name : {"aramis_sample.txt", "dice_full_field.txt", "dice_dogbone.txt"}) {
     const std::string whole = test::read_text(std::string(WEAVEFORM_SOURCE_DIR) + "/tests/data/dic/" + name);

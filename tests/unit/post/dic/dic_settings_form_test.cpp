@@ -26,7 +26,7 @@ TEST(SettingsForm, IsCompleteAndReadsBackAsTheSettingsItWasMadeOf) {
   write_text(form, file);
   const Settings back = read_settings(file.string(), {});
   EXPECT_EQ(back.measurement.pixel_size, 0.05);
-  EXPECT_EQ(back.registration.method, "axes");
+  EXPECT_EQ(back.registration.method, dic::RegistrationMethod::axes);
   EXPECT_EQ(back.stages.displacement, (std::vector<double>{1.0, 2.0}));
   EXPECT_EQ(back.instrument.facet_size, std::nullopt);
   for (const SettingsTable& table : settings_tables())
@@ -53,7 +53,7 @@ TEST(SettingsForm, TheAnswersAreValuesOnceTheirMarkIsTakenAway) {
   }
   write_text(form, folder.path() / "form.toml");
   const Settings filled = read_settings((folder.path() / "form.toml").string(), {});
-  EXPECT_EQ(filled.measurement.format, "columns");
+  EXPECT_EQ(filled.measurement.format, dic::MeasurementFormat::columns);
   EXPECT_EQ(filled.measurement.x, "NAME_OF_x");
 }
 

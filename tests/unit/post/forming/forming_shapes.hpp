@@ -49,7 +49,7 @@ inline PlacedTool plane_tool(double height) {
   return placed;
 }
 
-inline ToolSpec tool_spec(const std::string& name, const std::string& shape, double travel) {
+inline ToolSpec tool_spec(const std::string& name, ToolShape shape, double travel) {
   ToolSpec tool;
   tool.name = name;
   tool.shape = shape;

@@ -22,7 +22,7 @@ Scene bowl_scene() {
   Scene scene;
   scene.blank.size = {200.0, 200.0};
   scene.blank.yarn_angle = 0.0;
-  scene.tools = {test::tool_spec("punch", "sphere", 90.0)};
+  scene.tools = {test::tool_spec("punch", ToolShape::sphere, 90.0)};
   return scene;
 }
 
@@ -126,7 +126,7 @@ TEST(DrawIn, OfAShrunkSquareIsExactInEveryDirection) {
 TEST(PartAxis, IsThatOfTheToolThatTravels) {
   Scene scene = bowl_scene();
   scene.blank.position = {1.0, 2.0, 3.0};
-  scene.tools.insert(scene.tools.begin(), test::tool_spec("base", "plane", 0.0));
+  scene.tools.insert(scene.tools.begin(), test::tool_spec("base", ToolShape::plane, 0.0));
   scene.tools[1].position = {{10.0, -5.0, 60.0}};
   const PartAxis axis = part_axis(scene, make_tools(scene, 0.5));
   EXPECT_EQ(axis.tool, "punch");
@@ -135,7 +135,7 @@ TEST(PartAxis, IsThatOfTheToolThatTravels) {
 
 TEST(PartAxis, OfALyingCylinderIsItsTravel) {
   Scene scene = bowl_scene();
-  scene.tools[0].shape = "cylinder";
+  scene.tools[0].shape = ToolShape::cylinder;
   scene.tools[0].axis = {0.0, 1.0, 0.0};
   scene.tools[0].position = {{7.0, 0.0, 60.0}};
   const PartAxis axis = part_axis(scene, make_tools(scene, 0.5));
@@ -193,15 +193,15 @@ TEST(NetOnSphere, LiftedCellsCountAsElsewhere) {
 
 TEST(NetOnSphere, SceneWithoutASphereHasNone) {
   Scene scene = bowl_scene();
-  scene.tools[0].shape = "plane";
+  scene.tools[0].shape = ToolShape::plane;
   EXPECT_FALSE(compare_with_sphere_net(scene, Bowl().mesh, {}, {test::plane_tool(0.0)}).has_value());
 }
 
 // Punch down, die and binder: the die carries 3 % too much in one row, and anything in the row while forces set in.
 TEST(ForceBalance, FindsTheRowThatDoesNotAddUp) {
   Scene scene = bowl_scene();
-  scene.tools = {test::tool_spec("binder", "plane", 0.0), test::tool_spec("die", "plane", 0.0),
-                 test::tool_spec("punch", "sphere", 90.0)};
+  scene.tools = {test::tool_spec("binder", ToolShape::plane, 0.0), test::tool_spec("die", ToolShape::plane, 0.0),
+                 test::tool_spec("punch", ToolShape::sphere, 90.0)};
   scene.tools[0].axis = {0.0, 0.0, -1.0};
   History history{{"time_s", "binder.force_N", "die.force_N", "punch.force_N", "punch.displacement_mm"}, {}};
   for (int k = 0; k <= 100; ++k) {
@@ -224,7 +224,7 @@ TEST(ForceBalance, FindsTheRowThatDoesNotAddUp) {
 TEST(Forming, SceneOfARestingPlateGivesWhatThereIs) {
   const test::TemporaryFolder folder;
   Scene scene = bowl_scene();
-  scene.tools = {test::tool_spec("plate", "plane", 0.0)};
+  scene.tools = {test::tool_spec("plate", ToolShape::plane, 0.0)};
   const Mesh mesh = test::centred_lattice(9, 10.0);
   const Fields fields = compute_fields(mesh, test::small_card(), {}, 1.0, mesh.nodes.position);
   const History history{{"time_s", "plate.displacement_mm", "plate.force_N"}, {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}};

@@ -24,13 +24,13 @@ BiasSpecimen specimen_of(const std::array<double, 2>& size) {
 
 // t sum_z A_z w(gamma_z) (mJ), w the integral of sigma d(sin gamma) by Simpson's rule; the current thickness rule
 // scales it.
-double stored_energy(const BiasSpecimen& specimen, const Card& card, ShearThickness rule, double travel) {
+double stored_energy(const BiasSpecimen& specimen, const Card& card, Thickness rule, double travel) {
   const auto density = [&](double angle) {
     constexpr int parts = 400;
     double sum = 0.0;
     for (int k = 0; k <= parts; ++k) {
       const double g = angle * k / parts;
-      const double ratio = rule == ShearThickness::constant ? std::cos(g) : 1.0;
+      const double ratio = rule == Thickness::constant ? std::cos(g) : 1.0;
       const double weight = k == 0 || k == parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
       sum += weight * ratio * shear_stress(card.shear, std::atanh(std::sin(g))) * std::cos(g);
     }
@@ -71,13 +71,13 @@ TEST(BiasExtension, PastNinetyDegreesThereIsNoIdeal) {
   EXPECT_FALSE(std::isnan(kinematic_shear_angle(specimen, last - 1e-6)));
   EXPECT_TRUE(std::isnan(kinematic_shear_angle(specimen, last + 1e-6)));
   EXPECT_TRUE(std::isnan(
-      inextensible_bias_load(specimen, test::small_card().shear, 0.5, ShearThickness::constant_volume, last + 1e-6)));
+      inextensible_bias_load(specimen, test::small_card().shear, 0.5, Thickness::constant_volume, last + 1e-6)));
 }
 
 TEST(BiasExtension, LoadIsTheDerivativeOfTheStoredEnergy) {
   const Card card = test::small_card();
   for (const auto& size : sizes)
-    for (const ShearThickness rule : {ShearThickness::constant_volume, ShearThickness::constant}) {
+    for (const Thickness rule : {Thickness::constant_volume, Thickness::constant}) {
       const BiasSpecimen specimen = specimen_of(size);
       for (const double part : {0.05, 0.2, 0.35}) {
         const double travel = part * specimen.free_length(), h = 1e-3;
@@ -105,7 +105,7 @@ TEST(BiasExtension, LoadAgreesWithTheNormalisedShearForce) {
       const double left = (l / w - 1.0) * (std::cos(g / 2.0) - std::sin(g / 2.0));
       const double right =
           (2.0 * l - 3.0 * w) * normalised(g) * std::cos(g) + w * normalised(g / 2.0) * std::cos(g / 2.0);
-      EXPECT_NEAR(inextensible_bias_load(specimen, card.shear, card.thickness, ShearThickness::constant_volume, travel),
+      EXPECT_NEAR(inextensible_bias_load(specimen, card.shear, card.thickness, Thickness::constant_volume, travel),
                   right / left, 1e-12 * right / left);
     }
   }
@@ -181,8 +181,8 @@ TEST(FindBiasExtension, KnowsTheTestOnEitherAxisAndAtEitherSignOfTheAngle) {
   }
   scene.blank.size = {230.0, 115.0};
   EXPECT_FALSE(find_bias_extension(scene).has_value());  // wider than long
-  scene.grip[0].edge = "right";
-  scene.grip[1].edge = "left";
+  scene.grip[0].edge = BlankEdge::right;
+  scene.grip[1].edge = BlankEdge::left;
   const auto specimen = find_bias_extension(scene);
   ASSERT_TRUE(specimen.has_value());
   EXPECT_EQ(specimen->axis, 0);
@@ -197,12 +197,12 @@ TEST(FindBiasExtension, LeavesOtherTestsAlone) {
     return find_bias_extension(scene).has_value();
   };
   EXPECT_FALSE(changed([](Scene& s) { s.blank.yarn_angle = 0.0; }));
-  EXPECT_FALSE(changed([](Scene& s) { s.blank.shape = "circle"; }));
+  EXPECT_FALSE(changed([](Scene& s) { s.blank.shape = BlankShape::disc; }));
   EXPECT_FALSE(changed([](Scene& s) { s.grip.pop_back(); }));
-  EXPECT_FALSE(changed([](Scene& s) { s.grip[1].edge = "right"; }));
+  EXPECT_FALSE(changed([](Scene& s) { s.grip[1].edge = BlankEdge::right; }));
   EXPECT_FALSE(changed([](Scene& s) { s.grip[1].direction = {1.0, 0.0, 0.0}; }));
-  EXPECT_FALSE(changed([](Scene& s) { s.grip[1].free = {"x"}; }));
-  EXPECT_TRUE(changed([](Scene& s) { s.grip[1].free = {"z"}; }));
+  EXPECT_FALSE(changed([](Scene& s) { s.grip[1].free = {Component::x}; }));
+  EXPECT_TRUE(changed([](Scene& s) { s.grip[1].free = {Component::z}; }));
   EXPECT_TRUE(changed([](Scene& s) { s.grip[1].direction = {0.0, -2.0, 0.0}; }));
 }
 

@@ -17,9 +17,9 @@ inline Scene bias_scene(double width, double length) {
   scene.blank.size = {width, length};
   scene.grip.resize(2);
   scene.grip[0].name = "lower";
-  scene.grip[0].edge = "bottom";
+  scene.grip[0].edge = BlankEdge::bottom;
   scene.grip[1].name = "upper";
-  scene.grip[1].edge = "top";
+  scene.grip[1].edge = BlankEdge::top;
   return scene;
 }
 

@@ -205,7 +205,7 @@ TEST(MapOnto, AnswersInTheAxesOfAPartThatWasPlaced) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("in metres? Give --unit m"), std::string::npos) << error.what();
   }
-  onto.unit = "m";
+  onto.unit = LengthUnit::m;
   const FibreField field = map_onto(fabric, moved, onto);
   ASSERT_EQ(field.element.size(), straight.element.size());
   for (std::size_t k = 0; k < field.element.size(); ++k) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/support/chosen.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/small_world.hpp"
 
@@ -20,7 +21,8 @@ Scene pulled(const std::string& material, double yarn_angle, double travel) {
   scene.analysis.duration = duration;
   for (const char* edge : {"bottom", "top"}) {
     GripSpec grip;
-    grip.name = grip.edge = edge;
+    grip.name = edge;
+    grip.edge = test::chosen(edge);
     grip.travel = grip.name == "top" ? travel : 0.0;
     scene.grip.push_back(grip);
   }
@@ -33,10 +35,10 @@ constexpr double shared_step = 1e-7;  // s
 TEST(World, GivesPliesThatDoNotTouchTheBitsOfTheirSingleRuns) {
   Scene beams = pulled("twintex-tw", 45.0, 4.0), shells = pulled("twintex-pw", 0.0, 1.0),
         incremental = pulled("twintex-pw", 30.0, 3.0);
-  beams.model.yarn = "beam";
-  beams.model.formulation = "contravariant";
-  shells.model.cell = "shell";
-  incremental.model.formulation = "incremental";
+  beams.model.yarn = YarnElement::beam;
+  beams.model.formulation = Formulation::contravariant;
+  shells.model.cell = CellElement::shell;
+  incremental.model.formulation = Formulation::incremental;
   const std::vector<Scene> scenes = {beams, shells, incremental};
   test::SmallWorld together(scenes, shared_step);
   together.run(1200);
@@ -78,7 +80,8 @@ TEST(World, EnergiesAreThoseOfItsPliesTogether) {
 TEST(World, AToolFeelsAllPlies) {
   Scene left = test::contact_scene({60.0, 60.0}, 4.0);
   left.analysis.duration = duration;
-  ToolSpec below = test::make_tool_spec("a_base", "plane"), above = test::make_tool_spec("b_press", "plane");
+  ToolSpec below = test::make_tool_spec("a_base", ToolShape::plane),
+           above = test::make_tool_spec("b_press", ToolShape::plane);
   above.axis = {0.0, 0.0, -1.0};
   above.travel = 0.05;
   const double half = 0.5 * load_card(left.fabric.material).thickness;
@@ -99,8 +102,8 @@ TEST(World, AToolFeelsAllPlies) {
 
 TEST(World, GoesOnWithTheSameBitsAfterItsArchiveWasRead) {
   Scene scene = test::drawing();
-  scene.model.cell = "shell";
-  scene.analysis.step_bound = "reached";
+  scene.model.cell = CellElement::shell;
+  scene.analysis.step_bound = StepBound::reached;
   test::SmallWorld run({scene}), resumed({scene});
   run.run(300);
   const std::string kept = state_bytes(*run);

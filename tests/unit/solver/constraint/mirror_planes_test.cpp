@@ -7,6 +7,7 @@
 
 #include "mesher/symmetry/cut_part.hpp"
 #include "solver/ply/ply.hpp"
+#include "tests/support/chosen.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/fabric_patch.hpp"
 
@@ -18,7 +19,7 @@ using Eigen::Vector3d;
 struct Case {
   double yarn_angle;
   std::array<double, 2> phase;
-  const char* formulation;
+  Formulation formulation;
   const char* symmetry;
   bool bending = false;
   const char* yarn = "truss";
@@ -52,31 +53,31 @@ struct Moved {
 };
 
 TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
-  const std::vector<Case> cases = {{0.0, {0.0, 0.0}, "energy", "quarter"},
-                                   {0.0, {0.5, 0.5}, "energy", "quarter"},
-                                   {90.0, {0.5, 0.0}, "energy", "quarter"},
-                                   {45.0, {0.0, 0.0}, "energy", "quarter"},
-                                   {45.0, {0.5, 0.5}, "energy", "quarter"},
-                                   {45.0, {0.0, 0.0}, "incremental", "half"},
-                                   {0.0, {0.0, 0.0}, "side-frame", "quarter"},
-                                   {0.0, {0.5, 0.0}, "contravariant", "half"},
-                                   {0.0, {0.0, 0.0}, "energy", "quarter", true},
-                                   {0.0, {0.5, 0.5}, "energy", "quarter", true},
-                                   {45.0, {0.0, 0.0}, "energy", "quarter", true},
-                                   {45.0, {0.5, 0.5}, "energy", "half", true},
-                                   {0.0, {0.0, 0.5}, "energy", "quarter", false, "seatbelt"}};
+  const std::vector<Case> cases = {{0.0, {0.0, 0.0}, Formulation::energy, "quarter"},
+                                   {0.0, {0.5, 0.5}, Formulation::energy, "quarter"},
+                                   {90.0, {0.5, 0.0}, Formulation::energy, "quarter"},
+                                   {45.0, {0.0, 0.0}, Formulation::energy, "quarter"},
+                                   {45.0, {0.5, 0.5}, Formulation::energy, "quarter"},
+                                   {45.0, {0.0, 0.0}, Formulation::incremental, "half"},
+                                   {0.0, {0.0, 0.0}, Formulation::side_frame, "quarter"},
+                                   {0.0, {0.5, 0.0}, Formulation::contravariant, "half"},
+                                   {0.0, {0.0, 0.0}, Formulation::energy, "quarter", true},
+                                   {0.0, {0.5, 0.5}, Formulation::energy, "quarter", true},
+                                   {45.0, {0.0, 0.0}, Formulation::energy, "quarter", true},
+                                   {45.0, {0.5, 0.5}, Formulation::energy, "half", true},
+                                   {0.0, {0.0, 0.5}, Formulation::energy, "quarter", false, "seatbelt"}};
   for (const auto& c : cases) {
     Scene scene = test::FabricPatch::make_scene("twintex-pw", c.yarn_angle, {60.0, 80.0}, c.formulation,
-                                                "constant-volume", "incompressible");
+                                                Thickness::constant_volume, Section::incompressible);
     scene.blank.phase = c.phase;
-    scene.model.symmetry = c.symmetry;
-    scene.model.yarn = c.yarn;
-    if (scene.model.yarn == "seatbelt") scene.model.partner = "compression";
+    scene.model.symmetry = test::chosen(c.symmetry);
+    scene.model.yarn = test::chosen(c.yarn);
+    if (scene.model.yarn == YarnElement::seatbelt) scene.model.partner = SeatbeltPartner::compression;
     if (c.bending) {
       // stiff enough that bending makes a good part of the force
-      scene.model.yarn = "beam";
+      scene.model.yarn = YarnElement::beam;
       scene.model.yarn_bending = {{3e3, 2e3}};
-      scene.model.cell = "rotation-free";
+      scene.model.cell = CellElement::rotation_free;
       scene.model.cell_bending = {{300.0, c.yarn_angle == 45.0 ? 300.0 : 400.0, 200.0}};
     }
     const Card card = load_card(scene.fabric.material);

@@ -194,10 +194,11 @@ TYPED_TEST(IncrementalCell, ForcesLieInThePlaneOfTheCell) {
   for (int f = 0; f < 2; ++f) EXPECT_LT(std::abs(force[f].dot(normal)), 1e-13 * volume);
 }
 
-class IncrementalPatch : public testing::TestWithParam<std::tuple<const char*, const char*, double>> {};
+class IncrementalPatch : public testing::TestWithParam<std::tuple<Formulation, Thickness, double>> {};
 INSTANTIATE_TEST_SUITE_P(All, IncrementalPatch,
-                         testing::Combine(testing::Values("incremental", "side-frame"),
-                                          testing::Values("constant-volume", "constant"), testing::Values(0.0, 30.0)));
+                         testing::Combine(testing::Values(Formulation::incremental, Formulation::side_frame),
+                                          testing::Values(Thickness::constant_volume, Thickness::constant),
+                                          testing::Values(0.0, 30.0)));
 
 // A patch with full quads and cut cells in homogeneous motion: the inner nodes feel nothing, whatever the cells around
 // them look like, and the work of all cells is that of one cell scaled by volume.

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/support/chosen.hpp"
 #include "tests/support/yarn_chain.hpp"
 #include "tests/unit/solver/lattice/trellis.hpp"
 
@@ -58,10 +59,10 @@ protected:
   [[nodiscard]] static ModelSpec model(const std::string& yarn, const std::string& partner = "none",
                                        const std::string& law = "card") {
     ModelSpec model;
-    model.yarn = yarn;
-    model.partner = partner;
-    model.yarn_law = law;
-    model.section = GetParam();
+    model.yarn = test::chosen(yarn);
+    model.partner = test::chosen(partner);
+    model.yarn_law = test::chosen(law);
+    model.section = test::chosen(GetParam());
     return model;
   }
   [[nodiscard]] static double force(const Card& card, const ModelSpec& model, double strain) {
@@ -175,7 +176,7 @@ TEST_P(SectionRule, StoredEnergyIsTheWorkOfTheForce) {
                                            {"seatbelt", "compression", "slack"},
                                            {"truss", "none", "linear"}}) {
     ModelSpec spec = model(yarn, partner, law);
-    if (spec.yarn_law == "slack") spec.slack = 0.05;
+    if (spec.yarn_law == YarnLaw::slack) spec.slack = 0.05;
     const Mesh mesh = test::chain_mesh(1, length, section, 1.0);
     InternalEnergy energy(mesh, card, yarn_laws(card, spec), spec);
     const auto stored = [&](double strain) { return energy({{0.0, 0.0, 0.0}, {length * std::exp(strain), 0.0, 0.0}}); };
@@ -239,14 +240,14 @@ TEST(YarnLaw, FramesShowTheForceThatTheSolverTook) {
   for (const char* partner : {"none", "compression"})
     for (const double strain : strains()) {
       ModelSpec spec;
-      spec.yarn = "seatbelt";
-      spec.partner = partner;
+      spec.yarn = YarnElement::seatbelt;
+      spec.partner = test::chosen(partner);
       const double shown =
           compute_fields(mesh, card, spec, 0.0, {{0.0, 0.0, 0.0}, {length * std::exp(strain), 0.0, 0.0}}).yarn_force[0];
       const double taken = test::element_force(card, spec, yarn_laws(card, spec), length, section, strain);
       // the frame's law is a polynomial of the whole strain, whose constants round at the stress of the joints
       EXPECT_NEAR(shown, taken, rounding(2000.0, taken) + 1e-13) << strain;
-      if (spec.partner == "none" && strain < 0.0) {
+      if (spec.partner == SeatbeltPartner::none && strain < 0.0) {
         EXPECT_EQ(shown, 0.0) << strain;
       }
     }

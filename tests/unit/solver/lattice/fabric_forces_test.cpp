@@ -20,13 +20,14 @@ constexpr double degree = std::numbers::pi / 180.0;
 struct Variant {
   const char* material;
   double yarn_angle;
-  const char* formulation;
-  const char* thickness;
-  const char* section;
+  Formulation formulation;
+  Thickness thickness;
+  Section section;
 };
 
 std::ostream& operator<<(std::ostream& stream, const Variant& v) {
-  return stream << v.material << ' ' << v.yarn_angle << ' ' << v.formulation << ' ' << v.thickness << ' ' << v.section;
+  return stream << v.material << ' ' << v.yarn_angle << ' ' << name_of(v.formulation) << ' ' << name_of(v.thickness)
+                << ' ' << name_of(v.section);
 }
 
 class FabricVariants : public testing::TestWithParam<Variant> {
@@ -37,14 +38,15 @@ protected:
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, FabricVariants,
-                         testing::Values(Variant{"twintex-pw", 45.0, "energy", "constant-volume", "incompressible"},
-                                         Variant{"twintex-pw", 17.0, "energy", "constant", "constant"},
-                                         Variant{"twintex-tw", 0.0, "energy", "constant-volume", "constant"},
-                                         Variant{"twintex-tw", 71.0, "energy", "constant", "incompressible"},
-                                         Variant{"twintex-pw", 30.0, "contravariant", "constant-volume",
-                                                 "incompressible"},
-                                         Variant{"twintex-tw", 45.0, "contravariant", "constant", "constant"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, FabricVariants,
+    testing::Values(
+        Variant{"twintex-pw", 45.0, Formulation::energy, Thickness::constant_volume, Section::incompressible},
+        Variant{"twintex-pw", 17.0, Formulation::energy, Thickness::constant, Section::constant},
+        Variant{"twintex-tw", 0.0, Formulation::energy, Thickness::constant_volume, Section::constant},
+        Variant{"twintex-tw", 71.0, Formulation::energy, Thickness::constant, Section::incompressible},
+        Variant{"twintex-pw", 30.0, Formulation::contravariant, Thickness::constant_volume, Section::incompressible},
+        Variant{"twintex-tw", 45.0, Formulation::contravariant, Thickness::constant, Section::constant}));
 
 // Scale of force against which rounding is judged: a yarn at 1 % strain pulls with some newtons, and the strain itself
 // carries the rounding of coordinates (1e-16 * 100 mm / 5 mm) times the compression modulus of 200 MPa times 1.25 mm^2.
@@ -76,7 +78,7 @@ void deform(FabricPatch& fabric, unsigned seed) {
 
 TEST_P(FabricVariants, NodalForceIsMinusTheSlopeOfTheStoredEnergy) {
   auto fabric = patch();
-  if (fabric.scene.model.formulation != std::string("energy")) GTEST_SKIP() << "has no stored energy";
+  if (fabric.scene.model.formulation != Formulation::energy) GTEST_SKIP() << "has no stored energy";
   deform(fabric, 7);
   const auto forces = fabric.forces();
   double greatest = 0.0;
@@ -142,18 +144,18 @@ void shear_trellis(FabricPatch& fabric, double gamma) {
 // Power of the internal forces under a further trellis motion is F_sh * area * d(gamma): with F_sh(gamma) normalised
 // per length and area (Eq. 13), W = area * integral F_sh dgamma for inextensible yarns. F_sh = t sigma cos(gamma) at
 // constant volume, sigma of Table 3 integrated at gamma_L of Eq. 6 (times another cos(gamma) at constant thickness).
-class TrellisAngle : public testing::TestWithParam<std::tuple<const char*, const char*, double>> {};
+class TrellisAngle : public testing::TestWithParam<std::tuple<const char*, Formulation, double>> {};
 
 INSTANTIATE_TEST_SUITE_P(All, TrellisAngle,
                          testing::Combine(testing::Values("twintex-pw", "twintex-tw"),
-                                          testing::Values("energy", "contravariant"),
+                                          testing::Values(Formulation::energy, Formulation::contravariant),
                                           testing::Values(0.0, 23.0, 45.0)));
 
 TEST_P(TrellisAngle, ReturnsTheNormalisedShearForceAtEveryAngle) {
   const char* material = std::get<0>(GetParam());
-  const char* formulation = std::get<1>(GetParam());
+  Formulation formulation = std::get<1>(GetParam());
   const double yarn_angle = std::get<2>(GetParam());
-  for (const char* thickness : {"constant-volume", "constant"}) {
+  for (const Thickness thickness : {Thickness::constant_volume, Thickness::constant}) {
     FabricPatch fabric(material, yarn_angle, {60.0, 90.0}, formulation, thickness);
     for (int degrees = -70; degrees <= 70; degrees += 5) {
       if (degrees == 0) continue;
@@ -161,7 +163,7 @@ TEST_P(TrellisAngle, ReturnsTheNormalisedShearForceAtEveryAngle) {
       // Eq. 6 as printed, not the closed form the code uses
       const double log_strain = -std::log(std::tan(std::numbers::pi / 4.0 - gamma / 2.0));
       double stress = shear_stress(fabric.card.shear, log_strain);
-      if (std::string(thickness) == "constant") stress *= std::cos(gamma);
+      if (thickness == Thickness::constant) stress *= std::cos(gamma);
       const double expected =
           fabric.card.thickness * stress * std::cos(gamma);  // N/mm, conjugate to gamma per flat area
 
@@ -178,7 +180,7 @@ TEST_P(TrellisAngle, ReturnsTheNormalisedShearForceAtEveryAngle) {
         power -= forces[n].dot(velocity);
       }
       EXPECT_NEAR(power / (60.0 * 90.0), expected, 1e-9 * std::abs(expected))
-          << thickness << " at " << degrees << " deg";
+          << name_of(thickness) << " at " << degrees << " deg";
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "solver/element/yarn_law.hpp"
 #include "solver/ply/reach.hpp"
 #include "solver/ply/strain_error.hpp"
+#include "tests/support/chosen.hpp"
 
 namespace weaveform {
 namespace {
@@ -13,7 +14,7 @@ TEST(YarnLimits, AreTheCardsOwnForTheCardsLaw) {
   const Card card = load_card("twintex-tw");
   for (const std::string section : {"constant", "incompressible"}) {
     ModelSpec model;
-    model.section = section;
+    model.section = test::chosen(section);
     const YarnLimits limits = yarn_limits(card, model);
     for (std::size_t f = 0; f < 2; ++f) {
       EXPECT_NEAR(limits.valid_to[f], card.yarn[f].valid_to, 1e-12);
@@ -29,7 +30,7 @@ TEST(YarnLimits, OfAnotherLawBearTheSameForce) {
     for (const std::string law : {"card", "linear", "slack"}) {
       ModelSpec model;
       model.yarn_stiffness_scale = scale;
-      model.yarn_law = law;
+      model.yarn_law = test::chosen(law);
       const YarnLimits limits = yarn_limits(card, model);
       const auto laws = yarn_laws(card, model);
       for (std::size_t f = 0; f < 2; ++f) {

@@ -74,7 +74,7 @@ TEST(Fields, YarnForceFollowsTheTangentLawAndTheSectionRule) {
   EXPECT_NEAR(incompressible.yarn_strain[0], strain, 1e-14);
   EXPECT_NEAR(incompressible.yarn_force[0], stress * 1.25 * 5.0 / length, 1e-12);
   ModelSpec model;
-  model.section = "constant";
+  model.section = Section::constant;
   EXPECT_NEAR(stretched(mesh, model, length).yarn_force[0], stress * 1.25, 1e-12);
 }
 
@@ -102,7 +102,7 @@ TEST(YarnLaws, LinearLawTakesDecrimpingOutAndScaleMultiplies) {
   ModelSpec model;
   model.yarn_stiffness_scale = 0.5;
   EXPECT_NEAR(yarn_laws(card, model)[0].stress(0.05), 0.5 * card.yarn[0].tension.stress(0.05), 1e-13);
-  model.yarn_law = "linear";
+  model.yarn_law = YarnLaw::linear;
   EXPECT_NEAR(yarn_laws(card, model)[1].stress(0.05), 0.5 * 2000.0 * 0.05, 1e-13);
   EXPECT_NEAR(yarn_laws(card, model)[1].stress(2.0), 0.5 * 2000.0 * 2.0, 1e-10);
 }

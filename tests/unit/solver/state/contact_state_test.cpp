@@ -33,7 +33,8 @@ struct LastFrame {
 // A strip pressed on a plate by another with 50 N.
 Scene pressed() {
   Scene scene = test::contact_scene({60.0, 60.0}, 2.0);
-  ToolSpec below = test::make_tool_spec("a_base", "plane"), above = test::make_tool_spec("b_press", "plane");
+  ToolSpec below = test::make_tool_spec("a_base", ToolShape::plane),
+           above = test::make_tool_spec("b_press", ToolShape::plane);
   below.friction = above.friction = 0.3;
   above.axis = {0.0, 0.0, -1.0};
   above.force = 50.0;
@@ -68,7 +69,7 @@ TEST(ContactState, NodeForcesBetweenPlatesAddUpToThePressingForce) {
 TEST(ContactState, TellsStickFromSlip) {
   for (const double slope : {10.0, 30.0}) {
     Scene scene = test::contact_scene({60.0, 60.0}, 4.0);
-    ToolSpec plate = test::make_tool_spec("plate", "plane");
+    ToolSpec plate = test::make_tool_spec("plate", ToolShape::plane);
     plate.friction = 0.3;  // 16.7 deg
     scene.tools = {plate};
     scene.analysis.duration = 0.05;
@@ -118,7 +119,7 @@ TEST(Thickness, FollowsTheAreaAtConstantVolumeAndStaysOtherwise) {
   const double gain = 1.0 / (stretch * stretch * std::cos(gamma));
   for (const double t : compute_fields(mesh, test::small_card(), model, 0.0, position).thickness)
     EXPECT_NEAR(t, 0.5 * gain, 1e-14);
-  model.thickness = "constant";
+  model.thickness = Thickness::constant;
   const Fields fields = compute_fields(mesh, test::small_card(), model, 0.0, position);
   for (const double t : fields.thickness) EXPECT_EQ(t, 0.5);
   for (const double w : fields.areal_weight) EXPECT_NEAR(w, gain, 1e-13);
