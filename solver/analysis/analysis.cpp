@@ -31,50 +31,50 @@ double finite_step(double step, double duration, const OutputSpec& output) {
 
 }  // namespace
 
-Analysis::Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& scene, const Card& card,
-                   std::filesystem::path directory, const SolveOptions& options)
-    : whole_(whole),
+Analysis::Analysis(const Resolved& model, const SymmetricPart* part, std::filesystem::path directory,
+                   const SolveOptions& options)
+    : model_(model),
+      whole_(model.mesh),
       part_(part),
-      mesh_(part != nullptr ? part->mesh : whole),
+      mesh_(part != nullptr ? part->mesh : whole_),
       parts_(mesh_.symmetry.parts()),
-      scene_(scene),
-      card_(card),
+      scene_(model.scene),
+      card_(model.card),
       directory_(std::move(directory)),
       options_(options),
       team_(choose_threads(options.threads, mesh_.cells.size())),
-      yarn_laws_(yarn_laws(card, scene.model)),
+      yarn_laws_(yarn_laws(card_, scene_.model)),
       packed_(pack_mesh(mesh_)),
-      ties_(mesh_.tie.empty() || (scene.frame && scene.frame->rigid) ? nullptr
-                                                                     : std::make_unique<Ties>(mesh_, packed_)),
+      ties_(mesh_.tie.empty() || (scene_.frame && scene_.frame->rigid) ? nullptr
+                                                                       : std::make_unique<Ties>(mesh_, packed_)),
       mirrors_(part != nullptr ? std::make_unique<MirrorPlanes>(mesh_, packed_) : nullptr),
       state_(initial_state(packed_, mesh_)),
-      grips_(make_grips(scene, mesh_, packed_)),
-      forces_(packed_, card, yarn_laws_, scene.model, state_, team_),
-      critical_step_(mesh_, card, yarn_laws_, scene.model, held_nodes(grips_, mesh_, packed_)),
-      internal_energy_(mesh_, card, yarn_laws_, scene.model),
-      loading_(choose_loading(scene, card)),
+      grips_(make_grips(scene_, mesh_, packed_)),
+      forces_(packed_, card_, yarn_laws_, scene_.model, state_, team_),
+      critical_step_(mesh_, card_, yarn_laws_, scene_.model, held_nodes(grips_, mesh_, packed_)),
+      internal_energy_(mesh_, card_, yarn_laws_, scene_.model),
+      loading_(choose_loading(scene_, card_, model.extent())),
       duration_(loading_.duration),
       motion_(packed_, loading_.damping, team_),
-      plane_(blank_plane(whole)),
-      recorder_(grips_, make_probes(scene, whole_), duration_, scene.output.history),
-      row_schedule_(duration_, scene.output.history),
-      frame_schedule_(duration_, scene.output.frames),
-      checkpoint_file_(options.checkpoint_file.empty() && !directory_.empty() ? directory_ / "checkpoint.bin"
+      plane_(blank_plane(whole_)),
+      recorder_(grips_, make_probes(scene_, whole_, model.extent()[0]), duration_, scene_.output.history),
+      row_schedule_(duration_, scene_.output.history),
+      frame_schedule_(duration_, scene_.output.frames),
+      checkpoint_file_(options.checkpoint_file.empty() && !directory_.empty() ? directory_ / file_name::checkpoint
                                                                               : options.checkpoint_file),
-      clock_(scene.output.checkpoint_minutes),
-      progress_("solve", options.quiet),
-      reach_(scene.analysis.step_bound == "stiffest"),
-      yarn_limits_(yarn_limits(card, scene.model)),
+      clock_(scene_.output.checkpoint_minutes),
+      reach_(scene_.analysis.step_bound == "stiffest"),
+      yarn_limits_(yarn_limits(card_, scene_.model)),
       displacement_(grips_.size(), 0.0),
       displacement_next_(grips_.size(), 0.0),
       grip_force_(grips_.size(), 0.0),
       grip_force_before_(grips_.size(), 0.0),
       grip_displacement_before_(grips_.size(), 0.0),
       started_(std::chrono::steady_clock::now()) {
-  if (scene.frame && !scene.frame->rigid)
-    terms_.push_back(std::make_unique<FrameMembers>(*scene.frame, mesh_, packed_));
-  if (scene.frame)
-    recorder_.evaluate_frame({scene.frame->length, scene.blank.size[0]}, static_cast<int>(grips_.size()) - 1);
+  if (scene_.frame && !scene_.frame->rigid)
+    terms_.push_back(std::make_unique<FrameMembers>(*scene_.frame, mesh_, packed_));
+  if (scene_.frame)
+    recorder_.evaluate_frame({scene_.frame->length, scene_.blank.size[0]}, static_cast<int>(grips_.size()) - 1);
   find_grip_images();
   add_terms();
 }
@@ -122,7 +122,7 @@ void Analysis::add_terms() {
     terms_.push_back(std::move(shell));
   }
   if (scene_.tools.empty()) return;
-  auto contact = std::make_unique<Contact>(mesh_, scene_, packed_, state_, duration_, fabric_step, team_);
+  auto contact = std::make_unique<Contact>(mesh_, scene_, model_.tools, packed_, state_, duration_, fabric_step, team_);
   contact_ = contact.get();
   terms_.push_back(std::move(contact));
   recorder_.record_tools(scene_.tools);
@@ -156,7 +156,7 @@ SolveResult Analysis::run() {
     look_at_checkpoint();
   }
   recorder_.finish();
-  progress_.finish(fmt::format("{} steps", state_.step));
+  if (!options_.quiet && options_.progress.finish) options_.progress.finish(fmt::format("{} steps", state_.step));
   return result();
 }
 
@@ -311,12 +311,13 @@ void Analysis::check_yarns() const {
 std::string Analysis::what_to_do() const {
   if (is_hasty())
     return fmt::format("load it more slowly: the duration is {:.3g} s, and {:.3g} s would be chosen for this scene",
-                       duration_, automatic_duration(scene_, card_));
+                       duration_, automatic_duration(scene_, card_, model_.extent()));
   return fmt::format("lower analysis.step_factor (now {})", scene_.analysis.step_factor);
 }
 
 bool Analysis::is_hasty() const {
-  return scene_.analysis.step_factor <= 1.0 && duration_ < hasty_share * automatic_duration(scene_, card_);
+  return scene_.analysis.step_factor <= 1.0 &&
+         duration_ < hasty_share * automatic_duration(scene_, card_, model_.extent());
 }
 
 void Analysis::perturb() {
@@ -339,7 +340,7 @@ void Analysis::perturb() {
 }
 
 void Analysis::fail(const std::string& what) const {
-  if (!directory_.empty()) write_history(recorder_.history(), directory_ / "history.csv");
+  if (!directory_.empty()) write_history(recorder_.history(), directory_ / file_name::history);
   throw PhysicsError(fmt::format("at t = {:.4g} s, step {}: {}", state_.time, state_.step, what));
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/log/progress.hpp"
+#include "mesher/resolve/resolved.hpp"
 #include "mesher/symmetry/cut_part.hpp"
 #include "solver/analysis/checkpoint.hpp"
 #include "solver/analysis/checkpoint_clock.hpp"
@@ -26,6 +26,7 @@
 #include "solver/ply/motion.hpp"
 #include "solver/ply/reach.hpp"
 #include "solver/ply/torn_yarns.hpp"
+#include "solver/result/file_names.hpp"
 #include "solver/result/history_file.hpp"
 #include "solver/state/force_term.hpp"
 
@@ -33,9 +34,10 @@ namespace weaveform {
 
 class Analysis {
 public:
-  // `part` of the whole mesh is solved when given; results are those of the whole all the same.
-  Analysis(const Mesh& whole, const SymmetricPart* part, const Scene& scene, const Card& card,
-           std::filesystem::path directory, const SolveOptions& options);
+  // Of model.mesh, the whole. `part` of it is solved when given; results are those of the whole all the same. Keeps
+  // references to both.
+  Analysis(const Resolved& model, const SymmetricPart* part, std::filesystem::path directory,
+           const SolveOptions& options);
   SolveResult run();
 
 private:
@@ -79,6 +81,7 @@ private:
   [[nodiscard]] bool is_hasty() const;
   [[noreturn]] void fail(const std::string& what) const;
 
+  const Resolved& model_;
   const Mesh& whole_;
   const SymmetricPart* part_;  // null when the whole is solved
   const Mesh& mesh_;           // what is solved
@@ -113,7 +116,6 @@ private:
   std::filesystem::path checkpoint_file_;  // empty: none is left
   CheckpointClock clock_;
   Identity identity_;  // found when first asked for
-  Progress progress_;
 
   std::vector<std::vector<int>> grip_image_;     // per mirror plane: the grip that each is mirrored onto
   EnergyBalance balance_;                        // of the whole

@@ -3,8 +3,9 @@
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+#include "mesher/scene/scene_copy.hpp"
 #include "solver/analysis/analysis.hpp"
-#include "solver/analysis/interrupt.hpp"
 
 namespace weaveform {
 
@@ -26,11 +27,12 @@ void Analysis::open_result_files(std::vector<double> frame_times) {
   if (directory_.empty()) return;
   frames_ = std::make_unique<FrameWriter>(directory_, whole_, std::move(frame_times), tool_names());
   history_file_ =
-      std::make_unique<HistoryFile>(directory_ / "history.csv", recorder_.history(), recorder_.closed_rows());
+      std::make_unique<HistoryFile>(directory_ / file_name::history, recorder_.history(), recorder_.closed_rows());
 }
 
 void Analysis::look_at_checkpoint() {
-  const bool stop = InterruptWatch::requested() || (options_.stop_at_step > 0 && state_.step >= options_.stop_at_step);
+  const bool stop = (options_.stop_requested && options_.stop_requested()) ||
+                    (options_.stop_at_step > 0 && state_.step >= options_.stop_at_step);
   const bool due = state_.step % clock_look == 0 && clock_.due();
   // what follows a perturbed run, the same without, takes as long again
   const bool before_clean_run = scene_.analysis.perturbation > 0.0 && finished();
@@ -49,7 +51,7 @@ void Analysis::leave_checkpoint() {
   if (!is_finite(now)) fail("a velocity or force is not a number; " + what_to_do());
   if (frames_) frames_->settle();
   if (clock_.count() == 0 && !directory_.empty())
-    for (const char* name : {"scene.toml", "mesh.vtu"}) settle_on_disk(directory_ / name);
+    for (const char* name : {file_name::scene, file_name::mesh}) settle_on_disk(directory_ / name);
   write_text_whole(checkpoint_file_, checkpoint_bytes(now, identity()), Durability::power);
   clock_.note_written(begin);
 }

@@ -67,7 +67,7 @@ void Analysis::open_outputs() {
     if (contact_ != nullptr) fields_.contact = whole_contact_state();
     if (frames_) {
       frames_->write(fields_);
-      write_statistics(statistics(), directory_ / "solve.json");
+      write_statistics(statistics(), directory_ / file_name::statistics);
     }
     frame_schedule_.advance(time);
   }
@@ -115,12 +115,12 @@ void Analysis::close_row() {
 
 void Analysis::report_progress() {
   const double fraction = state_.time / duration_;
-  if (!progress_.due(fraction)) return;
+  if (options_.quiet || !options_.progress.is_due(fraction)) return;
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const double rate = wall > 0.0 ? static_cast<double>(state_.step) * mesh_.cells.size() / wall : 0.0;
-  progress_.update(fraction,
-                   fmt::format("{:.1f} M cell-steps/s  step {}  kinetic/internal {:.2g}", 1e-6 * rate, state_.step,
-                               balance_.internal > 0.0 ? balance_.kinetic / balance_.internal : 0.0));
+  options_.progress.update(
+      fraction, fmt::format("{:.1f} M cell-steps/s  step {}  kinetic/internal {:.2g}", 1e-6 * rate, state_.step,
+                            balance_.internal > 0.0 ? balance_.kinetic / balance_.internal : 0.0));
 }
 
 double Analysis::wall() const {
@@ -189,7 +189,7 @@ SolveResult Analysis::result() {
   result.statistics = statistics();
   result.statistics.finished = true;
   if (frames_) frames_->settle();
-  if (!directory_.empty()) write_history(result.history, directory_ / "history.csv");
+  if (!directory_.empty()) write_history(result.history, directory_ / file_name::history);
   return result;
 }
 

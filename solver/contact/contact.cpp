@@ -78,8 +78,8 @@ ContactTool Contact::Partner::contact_tool() const {
   return {place().origin, {v * tool.direction[0], v * tool.direction[1], v * tool.direction[2]}};
 }
 
-Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
-                 double fabric_step, Team& team)
+Contact::Contact(const Mesh& mesh, const Scene& scene, const std::vector<Tool>& tools, const PackedMesh& packed,
+                 const State& start, double duration, double fabric_step, Team& team)
     : packed_(packed),
       team_(team),
       thickness_(mesh.thickness),
@@ -97,7 +97,6 @@ Contact::Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed,
     mesh_of_packed_[p] = mesh.shown_node(n);
     blank_mass_ += packed.mass[p];
   }
-  const auto tools = make_tools(scene, mesh);
   for (std::size_t t = 0; t < tools.size(); ++t) {
     Tool tool = tools[t];
     ToolSpec spec = scene.tools[t];

@@ -47,9 +47,9 @@ inline constexpr double contact_softening = 0.02;  // of the thickness: the dept
 class Contact : public ForceTerm {
 public:
   // `duration` of the tools' travel (s); `fabric_step` is the stable step of the fabric alone (s). Throws InputError
-  // when the fabric starts inside a tool, or a pushed tool is too light for the step.
-  Contact(const Mesh& mesh, const Scene& scene, const PackedMesh& packed, const State& start, double duration,
-          double fabric_step, Team& team);
+  // when the fabric starts inside a tool, or a pushed tool is too light for the step. `tools` are the scene's.
+  Contact(const Mesh& mesh, const Scene& scene, const std::vector<Tool>& tools, const PackedMesh& packed,
+          const State& start, double duration, double fabric_step, Team& team);
 
   [[nodiscard]] std::string name() const override { return "contact"; }
   // Moves the tools to state.time first. Throws PhysicsError when a tool moves more than a cell in a step or a node
