@@ -11,6 +11,7 @@
 #include "app/usage.hpp"
 #include "core/error.hpp"
 #include "core/version/version.hpp"
+#include "solver/result/chart_file.hpp"
 
 namespace {
 
@@ -57,6 +58,7 @@ int run_command(int argc, char** argv) {
 int main(int argc, char** argv) {
   weaveform::prepare_process();
   weaveform::show_cad_progress(true);
+  weaveform::hear_of_missing_charts(weaveform::log_warning);
   try {
     return run_command(argc, argv);
   } catch (const std::exception& error) {

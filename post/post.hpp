@@ -1,15 +1,24 @@
 // Results -> answers: contours, zones, the table a user reads, summary.json.
 #pragma once
 
-#include <filesystem>
 #include <string>
+#include <vector>
+
+#include "core/files/owned_files.hpp"
+#include "solver/result/result_folder.hpp"
 
 namespace weaveform {
 
-// Reads the result folder (scene.toml, mesh.vtu, result.pvd, frames, history.csv, solve.json) and writes contours.vtp
-// and summary.json into it, for a scene with tools also the files of forming/forming.hpp. Returns the table printed at
-// the end of a run. Of a run that is not finished, everything is of its last frame, `finished` is false in summary.json
-// and a warning says to what time it came. Throws FileError or InputError (which file is missing).
-std::string post_process(const std::filesystem::path& directory);
+struct PostAnswers {
+  std::string table;                  // to be printed at the end of a run
+  std::vector<std::string> warnings;  // what the run says against itself, as in summary.json
+};
+
+// Writes contours.vtp and summary.json into the result folder, for a scene with tools also the files of
+// forming/forming.hpp. Of a run that is not finished, everything is of its last frame, `finished` is false in
+// summary.json and a warning says to what time it came. Throws FileError or InputError (which file is missing).
+PostAnswers post_process(ResultFolder& folder);
+
+[[nodiscard]] FileNames post_files();
 
 }  // namespace weaveform

@@ -13,10 +13,13 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/keys/nearest_name.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+#include "mesher/scene/scene_copy.hpp"
 #include "post/dic/readers/measurement.hpp"
 #include "post/dic/settings/settings_form.hpp"
 #include "post/dic/virtual/border.hpp"
 #include "post/dic/virtual/export.hpp"
+#include "solver/result/file_names.hpp"
 
 namespace weaveform {
 
@@ -44,13 +47,13 @@ void require_result(const DicArguments& arguments) {
 std::vector<fs::path> files_read(const DicArguments& arguments, const dic::Settings& settings) {
   std::vector<fs::path> files = {arguments.settings};
   if (!settings.load.file.empty()) files.push_back(fs::path(settings.file).parent_path() / settings.load.file);
-  for (const char* name : {"scene.toml", "mesh.vtu", "result.pvd", "history.csv"})
+  for (const char* name : {file_name::scene, file_name::mesh, file_name::index, file_name::history})
     files.push_back(fs::path(arguments.result) / name);
   return files;
 }
 
 OutputClaim claim_of(const DicArguments& arguments, const fs::path& output, std::vector<fs::path> inputs,
-                     std::vector<std::string> names) {
+                     FileNames names) {
   return {.directory = output,
           .names = std::move(names),
           .inputs = std::move(inputs),
@@ -83,18 +86,16 @@ void run_compare(const DicArguments& arguments) {
   if (arguments.measurement.empty())
     throw InputError("MEASUREMENT is required: the files of the point fields, or their folder");
   const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
-  const fs::path output =
-      arguments.output.empty() ? fs::path(arguments.result) / "comparison" : fs::path(arguments.output);
+  const fs::path output = arguments.output.empty() ? fs::path(arguments.result) / dic::file_name::default_comparison
+                                                   : fs::path(arguments.output);
   std::vector<fs::path> inputs = files_read(arguments, settings);
   for (const auto& file : dic::measurement_files(arguments.measurement)) inputs.push_back(file);
-  const OutputFolder folder(
-      claim_of(arguments, output, inputs,
-               {"stages.csv", "lines.csv", "loads.csv", "loads.svg", "angles.svg", "comparison.json", "stage_*"}));
+  const OutputFolder folder(claim_of(arguments, output, inputs, dic::comparison_files()));
   log_warning(folder.trouble());
   const auto comparison = dic::compare(arguments.result, arguments.measurement, settings, output);
   if (arguments.quiet) return;
   print_answer(dic::verdict_table(comparison));
-  log_line(fmt::format("written: {}", (output / "comparison.json").string()));
+  log_line(fmt::format("written: {}", (output / dic::file_name::comparison).string()));
 }
 
 dic::MeasurementFormat written_format(const std::string& word) {
@@ -108,15 +109,14 @@ void run_virtual(const DicArguments& arguments) {
   require_result(arguments);
   const auto format = written_format(arguments.format);
   const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
-  const fs::path output =
-      arguments.output.empty() ? fs::path(arguments.result) / "virtual" : fs::path(arguments.output);
-  const OutputFolder folder(
-      claim_of(arguments, output, files_read(arguments, settings), {"stages/stage_*", "loads.csv", "settings.toml"}));
+  const fs::path output = arguments.output.empty() ? fs::path(arguments.result) / dic::file_name::default_virtual
+                                                   : fs::path(arguments.output);
+  const OutputFolder folder(claim_of(arguments, output, files_read(arguments, settings), dic::virtual_files()));
   log_warning(folder.trouble());
   const auto made = dic::export_virtual(arguments.result, format, settings, output);
   if (arguments.quiet) return;
   log_line(fmt::format("{} stages of {} points: {}; what they need to be read: {}", made.files.size(), made.points,
-                       (output / "stages").string(), made.settings.string()));
+                       (output / dic::file_name::stages).string(), made.settings.string()));
 }
 
 void run_border(const DicArguments& arguments) {

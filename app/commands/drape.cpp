@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
-#include "app/stages/result_folder.hpp"
-#include "app/stages/room.hpp"
-#include "app/stages/stages.hpp"
+#include "app/stages/checked_model.hpp"
+#include "app/stages/claims.hpp"
 #include "core/error.hpp"
-#include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/scene_copy.hpp"
 #include "post/output/drape_result.hpp"
 
 namespace weaveform {
@@ -25,23 +25,22 @@ struct DrapeArguments {
 };
 
 void make_drape(const DrapeArguments& arguments) {
-  const Scene scene = read_scene(arguments.scene.scene, arguments.scene.overrides);
+  const Resolved model = checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes,
+                                       Look::for_first_complaint, ResolveTo::flat);
+  const Scene& scene = model.scene;
   if (!scene.drape) throw InputError(scene.file + ": no [drape] table; add one with tool = \"NAME\"");
-  const Card card = load_card(scene.fabric.material, scene.file);
-  require_memory(scene, card, arguments.scene.yes);
-  const Mesh mesh = build_flat_mesh(scene, card);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("drape", scene, arguments.verbose);
   const OutputFolder folder(result_claim(directory, scene));
   log_warning(folder.trouble());
-  const Drape drape = drape_blank(scene, mesh);
-  clear_folder(directory);
+  const Drape drape = drape_blank(scene, model.mesh, model.tools);
+  clear_folder(directory, scene);
   write_scene_copy(with_absolute_paths(scene), directory);
-  write_drape(scene, mesh, card, drape, directory);
-  log_warnings(drape_warnings(mesh, card, drape));
+  write_drape(scene, model.mesh, model.card, model.tools, drape, directory);
+  log_warnings(drape_warnings(model.mesh, model.card, drape));
   if (arguments.quiet) return;
-  print_answer(describe_drape(mesh, card, drape));
+  print_answer(describe_drape(model.mesh, model.card, drape));
   log_end(directory, "drape.vtu for ParaView, flat_pattern.csv for the cutter, the numbers in drape.json");
 }
 

@@ -11,8 +11,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
-#include "app/stages/result_folder.hpp"
-#include "app/stages/stages.hpp"
+#include "app/stages/checked_model.hpp"
+#include "app/stages/claims.hpp"
 #include "core/files/files.hpp"
 #include "core/keys/length_unit.hpp"
 #include "core/version/version.hpp"
@@ -21,6 +21,8 @@
 #include "post/transfer/fibre_field.hpp"
 #include "post/transfer/write_fibre.hpp"
 #include "solver/analysis/loading.hpp"
+#include "solver/result/file_names.hpp"
+#include "solver/result/result_folder.hpp"
 
 namespace weaveform {
 
@@ -49,15 +51,12 @@ struct ExportArguments {
   bool force = false, quiet = false, yes = false;
 };
 
-Model model_of(const ExportArguments& arguments) {
-  if (!fs::is_directory(arguments.from)) return build_model(arguments.from, arguments.overrides, arguments.yes);
+Resolved model_of(const ExportArguments& arguments) {
+  if (!fs::is_directory(arguments.from))
+    return checked_model(arguments.from, arguments.overrides, arguments.yes, Look::for_first_complaint);
   if (!arguments.overrides.empty())
     throw InputError("--set changes a scene, and a folder's mesh is made; export the scene file instead");
-  Model model;
-  model.scene = read_scene(fs::path(arguments.from) / "scene.toml");
-  model.card = load_card(model.scene.fabric.material, model.scene.file);
-  model.mesh = read_mesh(fs::path(arguments.from) / "mesh.vtu");
-  return model;
+  return ResultFolder(arguments.from).model();
 }
 
 // What the command reads.
@@ -65,9 +64,8 @@ std::vector<fs::path> files_read(const ExportArguments& arguments, const Scene& 
   std::vector<fs::path> files = input_files(scene);
   if (!arguments.onto.empty()) files.emplace_back(arguments.onto);
   if (!fs::is_directory(arguments.from)) return files;
-  for (const char* name : {"mesh.vtu", "result.pvd", "history.csv"}) files.push_back(fs::path(arguments.from) / name);
-  if (fs::is_directory(fs::path(arguments.from) / "frames"))
-    for (const auto& entry : fs::directory_iterator(fs::path(arguments.from) / "frames")) files.push_back(entry.path());
+  for (const auto& file : present_files(arguments.from, joined({{file_name::mesh}, solve_files()})))
+    files.push_back(file);
   return files;
 }
 
@@ -95,14 +93,15 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
     throw InputError(fmt::format("--materials built-in goes with lsdyna, openradioss and calculix; --format {} {}",
                                  arguments.format,
                                  format == MeshFormat::gmsh ? "has no materials" : "takes user materials"));
-  const Model model = model_of(arguments);
+  const Resolved model = model_of(arguments);
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
-  const double duration = choose_loading(model.scene, model.card).duration;
+  const double duration = choose_loading(model.scene, model.card, model.extent()).duration;
   ExportOptions options;
   options.materials = arguments.materials == "user" ? Materials::user : Materials::built_in;
   options.is_static = arguments.is_static;
   options.run_name = run_name_of(arguments.output);
-  const ExportedMesh file = export_mesh(format, model.scene, model.card, model.mesh, duration, version_line(), options);
+  const ExportedMesh file =
+      export_mesh(format, model.scene, model.card, model.mesh, model.tools, duration, version_line(), options);
   std::string written = arguments.output;
   if (!file.engine.empty()) {
     const fs::path engine = fs::path(arguments.output).parent_path() / (options.run_name + "_0001.rad");
@@ -173,12 +172,13 @@ void export_fibres(const ExportArguments& arguments) {
   if (!fs::is_directory(arguments.from))
     throw InputError(fmt::format("{}: --format {} needs the folder of a solved scene ('weaveform run SCENE')",
                                  arguments.from, arguments.format));
+  ResultFolder result(arguments.from);
   // in both of the formats that have no place for a comment
-  require_writable(arguments.output, files_read(arguments, scene_of(arguments.from)), arguments.force,
+  require_writable(arguments.output, files_read(arguments, result.scene()), arguments.force,
                    arguments.format == "csv"   ? "thickness_mm,fibre_volume_ratio,"
                    : arguments.format == "vtu" ? "Name=\"fibre_volume_ratio\""
                                                : "");
-  FibreField field = read_fibre_field(arguments.from);
+  FibreField field = read_fibre_field(result);
   if (!arguments.onto.empty()) field = mapped(arguments, field);
   warn_of_far_shells(arguments, field);
   if (arguments.format == "vtu") {

@@ -8,8 +8,9 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
-#include "app/stages/result_folder.hpp"
+#include "app/stages/claims.hpp"
 #include "app/stages/stages.hpp"
 #include "core/files/files.hpp"
 #include "mesher/scene/reader.hpp"
@@ -42,7 +43,7 @@ void run_import(const ImportArguments& arguments) {
   const ForeignMesh file = read_foreign_mesh(arguments.file);
   const fs::path directory = arguments.output;
   ImportedMesh imported;
-  Model model;
+  Resolved model;
   if (arguments.scene.empty()) {
     if (!arguments.part.empty()) throw InputError("--part goes with --scene: it names the fabric in a file of others");
     imported = import_own(file);
@@ -61,7 +62,8 @@ void run_import(const ImportArguments& arguments) {
   log_warning(folder.trouble());
   model.scene = with_absolute_paths(model.scene);
   keep_tools(file, directory, model.scene);
-  write_model(model, directory, imported.scene_name);
+  const ResultFolder result =
+      write_model(std::move(model), directory, console_listener(arguments.quiet), imported.scene_name);
   if (arguments.quiet) return;
   for (const auto& note : imported.notes) log_line("import: " + note);
   print_answer(describe(model));

@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
+#include "app/stages/checked_model.hpp"
+#include "app/stages/claims.hpp"
 #include "app/stages/plan.hpp"
-#include "app/stages/result_folder.hpp"
 #include "app/stages/stages.hpp"
 
 namespace weaveform {
@@ -27,14 +29,15 @@ void make_mesh(const MeshArguments& arguments) {
     print_answer(plan_table(make_plan(arguments.scene.scene, arguments.scene.overrides, arguments.threads)));
     return;
   }
-  const Model model = build_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes);
+  const Resolved model =
+      checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_first_complaint);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("mesh", model.scene, arguments.verbose);
   const OutputFolder folder(result_claim(directory, model.scene));
   log_warning(folder.trouble());
   log_warnings(early_warnings(model));
-  write_model(model, directory);
+  (void)write_model(model, directory, console_listener(arguments.quiet));
   if (arguments.quiet) return;
   print_answer(describe(model));
   log_end(directory, fmt::format("mesh.vtu for ParaView; next: weaveform solve {}", directory.string()));

@@ -1,11 +1,13 @@
 // weaveform post DIR: contours, summary and the table of a solved folder; `post compare`, `post virtual` and `post
 // border` are in compare.cpp.
+#include "post/post.hpp"
+
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
-#include "app/stages/result_folder.hpp"
-#include "app/stages/stages.hpp"
+#include "app/stages/claims.hpp"
 
 namespace weaveform {
 
@@ -28,11 +30,13 @@ void add_post_command(CLI::App& program) {
   command->callback([arguments, command] {
     if (!command->get_subcommands().empty()) return;
     if (arguments->directory.empty()) throw InputError("DIR is required; 'weaveform post --help' tells more");
-    const OutputFolder folder(post_claim(arguments->directory, scene_of(arguments->directory)));
+    ResultFolder result(arguments->directory);
+    const OutputFolder folder(post_claim(arguments->directory, result.scene()));
     log_warning(folder.trouble());
-    const std::string table = post_folder(arguments->directory);
+    const PostAnswers answers = post_process(result);
+    log_warnings(answers.warnings);
     if (arguments->quiet) return;
-    print_answer(table);
+    print_answer(answers.table);
     log_end(arguments->directory, "contours.vtp for ParaView, the verdict in summary.json");
   });
 }

@@ -3,11 +3,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
+#include "app/interrupt.hpp"
 #include "app/stages/checked_model.hpp"
-#include "app/stages/result_folder.hpp"
+#include "app/stages/claims.hpp"
 #include "app/stages/stages.hpp"
 #include "app/study/accuracy.hpp"
 #include "core/error.hpp"
@@ -45,17 +48,22 @@ void run_to_accuracy(const RunArguments& arguments) {
   options.threads = arguments.solve.threads;
   if (!arguments.solve.quiet) options.log = log_line;
   const std::filesystem::path directory = folder_of(arguments);
-  const OutputFolder folder(result_claim(directory, read_scene(arguments.scene.scene, arguments.scene.overrides)));
+  const Scene scene = read_scene(arguments.scene.scene, arguments.scene.overrides);
+  const OutputFolder folder(result_claim(directory, scene));
   log_warning(folder.trouble());
+  const InterruptWatch signals;
+  options.stop_requested = InterruptWatch::requested;
   const study::Accuracy found =
       study::find_accuracy(arguments.scene.scene, arguments.scene.overrides, directory, options);
-  clear_folder(directory);
+  clear_folder(directory, scene);
   constexpr auto over = std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
   std::filesystem::copy(found.results, directory, over);
-  write_text_whole(directory / "accuracy.md", found.table);
-  const std::string table = post_folder(directory);
+  write_text_whole(directory / study::file_name::accuracy, found.table);
+  ResultFolder result(directory);
+  const PostAnswers answers = post_process(result);
+  log_warnings(answers.warnings);
   if (!arguments.solve.quiet) {
-    print_answer(table);
+    print_answer(answers.table);
     print_answer("\n" + found.table);
   }
   if (!found.met)
@@ -72,8 +80,8 @@ void run_to_accuracy(const RunArguments& arguments) {
 
 void run(const RunArguments& arguments) {
   if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
-  const Model model =
-      checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::before_the_run);
+  Resolved model =
+      checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_all_complaints);
   const std::filesystem::path directory = folder_of(arguments);
   std::string expected;
   if (!arguments.solve.resume) expected = require_room(model, directory, arguments.scene.yes);
@@ -86,14 +94,14 @@ void run(const RunArguments& arguments) {
   log_warning(folder.trouble());
   const std::vector<std::string> said = early_warnings(model);
   log_warnings(said);
-  if (arguments.solve.resume)
-    go_on_with_model(model, directory, arguments.solve.quiet);
-  else
-    write_model(model, directory);
-  solve_folder(directory, arguments.solve, true);  // there is room, as asked above
-  const std::string table = post_folder(directory, said);
+  const Listener listener = console_listener(arguments.solve.quiet);
+  ResultFolder result = arguments.solve.resume ? go_on_with_model(std::move(model), directory, listener)
+                                               : write_model(std::move(model), directory, listener);
+  solve_on_console(result, arguments.solve, true);  // there is room, as asked above
+  const PostAnswers answers = post_process(result);
+  log_warnings(not_said(answers.warnings, said));
   if (arguments.solve.quiet) return;
-  print_answer(table);
+  print_answer(answers.table);
   log_end(directory, what_to_open);
 }
 

@@ -4,8 +4,9 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
-#include "app/stages/result_folder.hpp"
+#include "app/stages/claims.hpp"
 #include "app/stages/stages.hpp"
 #include "core/version/version.hpp"
 
@@ -29,9 +30,10 @@ void add_solve_command(CLI::App& program) {
   add_yes_argument(*command, arguments->yes);
   command->callback([arguments] {
     if (!arguments->solve.quiet) log_line(fmt::format("{}: solve {}", version_line(), arguments->directory));
-    const OutputFolder folder(later_claim(arguments->directory, scene_of(arguments->directory)));
+    ResultFolder result(arguments->directory);
+    const OutputFolder folder(later_claim(arguments->directory, result.scene()));
     log_warning(folder.trouble());
-    solve_folder(arguments->directory, arguments->solve, arguments->yes || arguments->solve.resume);
+    solve_on_console(result, arguments->solve, arguments->yes || arguments->solve.resume);
     if (!arguments->solve.quiet)
       log_end(arguments->directory,
               fmt::format("result.pvd for ParaView, history.csv; next: weaveform post {}", arguments->directory));

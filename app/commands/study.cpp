@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/interrupt.hpp"
 #include "app/stages/output_folder.hpp"
 #include "app/study/border_run.hpp"
 #include "app/study/report.hpp"
@@ -41,6 +42,8 @@ void run_all(const StudyArguments& arguments, const study::Study& plan, const st
   options.repeats = plan.head.repeats;
   options.retry = arguments.retry;
   if (!arguments.quiet) options.log = log_line;
+  const InterruptWatch signals;
+  options.stop_requested = InterruptWatch::requested;
   options.first_done = [&](const study::Case& done) { study::check_measures(plan, measures, done, directory); };
   if (!arguments.quiet)
     log_line(fmt::format("study: {} cases{}, {} at a time", cases.size(),
@@ -53,8 +56,7 @@ void run_all(const StudyArguments& arguments, const study::Study& plan, const st
 // Marks the folder as ours, or refuses it; who runs cases in it holds DIR/cases.
 void claim_folder(const study::Study& plan, const std::filesystem::path& directory) {
   const OutputFolder folder({.directory = directory,
-                             .names = {"study.csv", "convergence.md", "convergence.csv", "work_precision*", "border.*",
-                                       "Snakefile", "cases/*"},
+                             .names = joined({study::report_files(), {"Snakefile", "cases/*"}}),
                              .inputs = {plan.file, study::scene_path(plan)}});
   log_warning(folder.trouble());
 }
@@ -81,7 +83,7 @@ void study_command(const StudyArguments& arguments) {
     print_answer(report.answer);
     for (const std::string& line : report.complaints) log_line("warning: " + line);
     log_line(fmt::format("{} done, {} failed, {} not run; table: {}", report.done, report.failed, report.missing,
-                         (directory / "study.csv").string()));
+                         (directory / study::file_name::table).string()));
   }
   if (plan.border && report.borders == 0)
     throw PhysicsError(fmt::format("{}: no border is found; why is in border.csv", directory.string()));

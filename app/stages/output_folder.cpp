@@ -1,7 +1,6 @@
 #include "app/stages/output_folder.hpp"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "mesher/scene/scene_copy.hpp"
 
 namespace weaveform {
 
@@ -45,10 +45,6 @@ bool is_same_file(const fs::path& one, const fs::path& other) {
   return fs::equivalent(one, other, missing) && !missing;
 }
 
-bool is_input(const fs::path& file, const std::vector<fs::path>& inputs) {
-  return std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) { return is_same_file(file, input); });
-}
-
 // The folders below `directory` that the names lie in, itself first.
 std::set<fs::path> folders_of(const OutputClaim& claim) {
   std::set<fs::path> folders = {claim.directory};
@@ -65,23 +61,6 @@ void refuse_linked_folders(const OutputClaim& claim) {
                       folder.string()));
 }
 
-// What is there under one of the names.
-std::vector<fs::path> present_files(const OutputClaim& claim) {
-  std::vector<fs::path> found;
-  for (const auto& folder : folders_of(claim)) {
-    if (!fs::is_directory(folder)) continue;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const std::string name = entry.path().lexically_relative(claim.directory).string();
-      const auto matches = [&](const std::string& pattern) {
-        return fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
-      };
-      if (std::any_of(claim.names.begin(), claim.names.end(), matches)) found.push_back(entry.path());
-    }
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 std::string listed(const std::vector<fs::path>& files) {
   std::string text;
   for (std::size_t k = 0; k < std::min(files.size(), most_named); ++k)
@@ -91,13 +70,13 @@ std::string listed(const std::vector<fs::path>& files) {
 
 void refuse_what_would_be_lost(const OutputClaim& claim) {
   refuse_linked_folders(claim);
-  const std::vector<fs::path> present = present_files(claim);
+  const std::vector<fs::path> present = present_files(claim.directory, claim.names);
   std::vector<std::string> complaints;
   for (const auto& file : present) {
     if (is_link(file))
       complaints.push_back(
           fmt::format("{}: is a link, which would be replaced; remove it or choose another --output", file.string()));
-    else if (is_input(file, claim.inputs))
+    else if (is_one_of_files(file, claim.inputs))
       complaints.push_back(
           fmt::format("{}: is an input of this command and would be overwritten; choose another "
                       "--output",
@@ -141,14 +120,22 @@ OutputFolder::OutputFolder(const OutputClaim& claim) : lock_(prepared(claim)) {
   if (lock_.trouble().empty()) clear_temporaries(claim);
 }
 
+bool is_one_of_files(const fs::path& file, const std::vector<fs::path>& files) {
+  return std::any_of(files.begin(), files.end(), [&](const fs::path& other) { return is_same_file(file, other); });
+}
+
+bool is_written_by_us(const fs::path& file) {
+  return says_weaveform_wrote_it(file);
+}
+
 bool is_our_folder(const fs::path& directory) {
-  return has_lock_file(directory) || says_weaveform_wrote_it(directory / "scene.toml");
+  return has_lock_file(directory) || says_weaveform_wrote_it(directory / file_name::scene);
 }
 
 void require_writable(const fs::path& file, const std::vector<fs::path>& inputs, bool force,
                       const std::string& own_words) {
   if (!fs::exists(fs::symlink_status(file))) return;
-  if (is_input(file, inputs))
+  if (is_one_of_files(file, inputs))
     throw InputError(fmt::format("{}: is an input of this command; choose another --output", file.string()));
   if (force || says_weaveform_wrote_it(file, own_words)) return;
   throw InputError(

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "core/files/folder_lock.hpp"
+#include "core/files/owned_files.hpp"
 
 namespace weaveform {
 
 struct OutputClaim {
   std::filesystem::path directory;
-  std::vector<std::string> names;             // that may be written, below the folder; may hold '*'
+  FileNames names;                            // that may be written, below the folder
   std::vector<std::filesystem::path> inputs;  // what the command reads
   bool can_force = false, force = false;      // whether the command has --force, and whether it is given
 };
@@ -31,11 +32,14 @@ private:
   FolderLock lock_;
 };
 
-// First words of what Weaveform writes, behind the comment sign of the format.
-inline constexpr const char* written_mark = "Written by weaveform";
-
 // Whether Weaveform has written to the folder: it left its lock file or its scene.toml there.
 [[nodiscard]] bool is_our_folder(const std::filesystem::path& directory);
+
+// Whether the file, which is no link, says in its beginning that Weaveform wrote it.
+[[nodiscard]] bool is_written_by_us(const std::filesystem::path& file);
+
+// Whether it is one of them, by whatever name.
+[[nodiscard]] bool is_one_of_files(const std::filesystem::path& file, const std::vector<std::filesystem::path>& files);
 
 // For commands that write one file: throws InputError when `file` is one of the inputs, and, unless `force`, when it is
 // there and does not say in its beginning that Weaveform wrote it. Formats without comments are known by `own_words`,

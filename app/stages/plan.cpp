@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/stages/stages.hpp"
+#include "app/stages/checked_model.hpp"
 #include "core/error.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/solve.hpp"
@@ -26,26 +26,24 @@ double peak_megabytes() {
 }
 
 // How many more steps than duration over flat step a whole run took; 1 when it failed.
-double shortening(const Model& model, int threads) {
+double shortening(const Resolved& model, int threads) {
   try {
-    const auto flat =
-        solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true, .most_steps = 1});
-    const auto whole = solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true});
+    const auto flat = solve(model, {}, {.threads = threads, .quiet = true, .most_steps = 1});
+    const auto whole = solve(model, {}, {.threads = threads, .quiet = true});
     return static_cast<double>(whole.statistics.steps) * flat.statistics.step_s / whole.statistics.duration_s;
   } catch (const PhysicsError&) {
     return 1.0;
   }
 }
 
-PlanRow measured_row(const Model& model, int threads) {
+PlanRow measured_row(const Resolved& model, int threads) {
   PlanRow row;
   for (int e = 0; e < model.mesh.yarn_count(); ++e)
     (model.mesh.yarns.family[e] == Family::warp ? row.warp_length : row.weft_length) +=
         model.mesh.yarns.yarns[e] * model.mesh.yarns.rest_length[e];
   const long most_steps =
       std::clamp(static_cast<int>(trial_cell_steps / model.mesh.cells.size()), least_trial_steps, trial_steps);
-  const auto trial =
-      solve(model.mesh, model.scene, model.card, {}, {.threads = threads, .quiet = true, .most_steps = most_steps});
+  const auto trial = solve(model, {}, {.threads = threads, .quiet = true, .most_steps = most_steps});
   const auto& s = trial.statistics;
   row.cells = s.cells;
   row.solved = s.cells_solved;
@@ -70,7 +68,7 @@ std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<
     with_factor.emplace_back("analysis.perturbation=0.0");  // a perturbed run is two runs
     PlanRow row;
     try {
-      const Model model = build_model(scene_file, with_factor);
+      const Resolved model = checked_model(scene_file, with_factor, false, Look::for_first_complaint);
       row = measured_row(model, threads);
       if (row.seconds * row.steps < trial_seconds) known = shortening(model, threads);
     } catch (const InputError& error) {

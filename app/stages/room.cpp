@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "app/stages/machine.hpp"
 #include "core/error.hpp"
 #include "mesher/lattice/expected_size.hpp"
+#include "mesher/resolve/resolve.hpp"
 #include "solver/analysis/loading.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/element/yarn_law.hpp"
@@ -29,8 +31,7 @@ constexpr double most_crossings = 2e9;  // beyond, they cannot be numbered
 // What comes near the limit by it is measured.
 constexpr double membrane_rate = 8e6, bending_rate = 4e6, shell_rate = 1.5e6;
 constexpr double far_off = 10.0;  // a setting so many times from what would be chosen is the first to look at
-constexpr double surely = 50.0;   // an estimate from the card alone may be that wrong
-constexpr double nearly = 10.0;   // one from the first step and a tabulated rate
+constexpr double nearly = 10.0;   // an estimate from the first step and a tabulated rate may be that wrong
 constexpr int measured_steps = 60;
 
 std::string where(const Scene& scene) {
@@ -79,17 +80,20 @@ struct Solve {
 };
 
 // The first step of an analysis knows all that sets it: tools, bending, a frame's members.
-Solve first_steps(const Scene& scene, const Card& card, const Mesh& mesh, int steps) {
-  Scene clean = scene;
-  clean.analysis.perturbation = 0.0;  // a perturbed analysis is two
-  clean.analysis.step_check = false;  // the run itself complains
-  const auto trial = solve(mesh, clean, card, {}, {.threads = 1, .quiet = true, .most_steps = steps}).statistics;
+Solve first_steps(const Resolved& model, int steps) {
+  const AnalysisSpec& asked = model.scene.analysis;
+  std::optional<Resolved> clean;  // the mesh may be large: not copied without need
+  if (asked.perturbation > 0.0 || (asked.step_check && asked.step_factor > 1.0)) {
+    clean = without_perturbation(model);       // a perturbed analysis is two
+    clean->scene.analysis.step_check = false;  // the run itself complains
+  }
+  const auto trial = solve(clean ? *clean : model, {}, {.threads = 1, .quiet = true, .most_steps = steps}).statistics;
   return {trial.duration_s, trial.step_s, trial.cells_solved, trial.wall_s};
 }
 
 // s; of a step on this machine, now, without what an analysis takes to begin.
-double measured_step(const Scene& scene, const Card& card, const Mesh& mesh, const Solve& first) {
-  const Solve more = first_steps(scene, card, mesh, measured_steps);
+double measured_step(const Resolved& model, const Solve& first) {
+  const Solve more = first_steps(model, measured_steps);
   return std::max(more.wall - first.wall, 0.0) / (measured_steps - 1);
 }
 
@@ -101,8 +105,9 @@ double expected_rate(const Scene& scene, const Card& card) {
   return rate / (1.0 + 0.2 * static_cast<double>(scene.tools.size()));
 }
 
-std::string time_cause(const Scene& scene, const Card& card, const Solve& solve) {
-  const double chosen = automatic_duration(scene, card);
+std::string time_cause(const Resolved& model, const Solve& solve) {
+  const Scene& scene = model.scene;
+  const double chosen = automatic_duration(scene, model.card, model.extent());
   if (solve.duration > far_off * chosen)
     return fmt::format("the duration of {:.4g} s is {:.3g} times the {:.3g} s that would be chosen; lower {}",
                        solve.duration, solve.duration / chosen, chosen,
@@ -124,17 +129,17 @@ std::string duration_text(double seconds) {
   return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.3g} h", seconds / 3600.0);
 }
 
-std::string expectation(const Scene& scene, const Card& card, const Mesh& mesh, const Solve& solve, double seconds) {
+std::string expectation(const Resolved& model, const Solve& solve, double seconds) {
   return fmt::format(
       "expected: {} cells to solve of {}, about {:.3g} steps of {:.3g} s, {} on one thread, {} of memory", solve.cells,
-      mesh.cells.size(), solve.steps(), solve.step, duration_text(seconds),
-      amount(expected_memory(scene, expected_size(scene, card))));
+      model.mesh.cells.size(), solve.steps(), solve.step, duration_text(seconds),
+      amount(expected_memory(model.scene, expected_size(model.scene.blank, model.card, model.outline))));
 }
 
 }  // namespace
 
-void require_memory(const Scene& scene, const Card& card, bool yes) {
-  const ExpectedSize size = expected_size(scene, card);
+void require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes) {
+  const ExpectedSize size = expected_size(scene.blank, card, outline);
   const double bytes = expected_memory(scene, size);
   const bool too_many = !(size.crossings < most_crossings && size.cells < most_crossings);
   const double most = scene.analysis.most_memory ? 1e9 * *scene.analysis.most_memory : available_memory();
@@ -163,30 +168,27 @@ void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::p
       directory.empty() ? "the disk" : directory.string(), amount(most)));
 }
 
-std::string require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool yes) {
-  const double rate = expected_rate(scene, card), limit = 3600.0 * scene.analysis.most_hours;
-  const bool has_files =
-      std::any_of(scene.tools.begin(), scene.tools.end(), [](const ToolSpec& tool) { return !tool.file.empty(); });
-  Solve expected{choose_loading(scene, card).duration, lattice_step(scene, card, mesh), mesh.cells.size()};
+std::string require_time(const Resolved& model, bool yes) {
+  const Scene& scene = model.scene;
+  const double rate = expected_rate(scene, model.card), limit = 3600.0 * scene.analysis.most_hours;
+  Solve expected{choose_loading(scene, model.card, model.extent()).duration,
+                 lattice_step(scene, model.card, model.mesh), model.mesh.cells.size()};
   double step_seconds = 0.0;
   const auto seconds = [&] {
     return expected.steps() * (step_seconds > 0.0 ? step_seconds : std::max(expected.cells, 100) / rate);
   };
-  // reading a surface a second time takes longer than most solves
-  if (!has_files || seconds() * surely > limit) {
-    try {
-      expected = first_steps(scene, card, mesh, 1);
-      if (!yes && seconds() * nearly > limit) step_seconds = measured_step(scene, card, mesh, expected);
-    } catch (const PhysicsError&) {
-      // the run says it, with its place
-    }
+  try {
+    expected = first_steps(model, 1);
+    if (!yes && seconds() * nearly > limit) step_seconds = measured_step(model, expected);
+  } catch (const PhysicsError&) {
+    // the run says it, with its place
   }
-  if (yes || seconds() <= limit) return expectation(scene, card, mesh, expected, seconds());
+  if (yes || seconds() <= limit) return expectation(model, expected, seconds());
   throw InputError(fmt::format(
       "{}the solve would take about {:.3g} steps of {:.3g} s for {} cells, {:.3g} hours (analysis.most_hours is {:g}): "
       "{}; or allow it with --yes or analysis.most_hours",
       where(scene), expected.steps(), expected.step, expected.cells, seconds() / 3600.0, scene.analysis.most_hours,
-      time_cause(scene, card, expected)));
+      time_cause(model, expected)));
 }
 
 }  // namespace weaveform

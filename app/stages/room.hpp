@@ -7,21 +7,19 @@
 #include <filesystem>
 #include <string>
 
-#include "fabric/card/card.hpp"
-#include "mesher/mesh/mesh.hpp"
-#include "mesher/scene/scene.hpp"
+#include "mesher/resolve/resolved.hpp"
 
 namespace weaveform {
 
 // Throws InputError, with the numbers and the likely cause, when mesh and solve would take more memory than there is
 // (analysis.most_memory, or what the machine has available); with `yes` only when no machine could hold the mesh.
-void require_memory(const Scene& scene, const Card& card, bool yes);
+void require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes);
 
 // The same for the frames and the history in `directory`.
 void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes);
 
 // The same for the hours of the solve (analysis.most_hours), from the step that the first look at the mesh gives. What
 // is expected, as one line for the log.
-std::string require_time(const Scene& scene, const Card& card, const Mesh& mesh, bool yes);
+std::string require_time(const Resolved& model, bool yes);
 
 }  // namespace weaveform

@@ -58,6 +58,7 @@ std::optional<SolvedLevel> solve_level(const Scene& scene, double factor, const 
   const Case one{level_name(factor, text), text, {setting}};
   RunOptions run;
   run.threads = options.threads;
+  run.stop_requested = options.stop_requested;
   run_cases({one}, folder, run);
   const CaseFiles files = case_files(folder, one.name);
   const auto ended = outcome(files, text);
@@ -144,7 +145,7 @@ Accuracy find_accuracy(const fs::path& scene_file, const std::vector<std::string
                        const AccuracyOptions& options) {
   const Scene scene = read_scene(scene_file, overrides);
   const std::vector<std::string> measures = options.measures.empty() ? default_measures(scene) : options.measures;
-  const fs::path folder = directory / "accuracy";
+  const fs::path folder = directory / file_name::levels;
   std::vector<SolvedLevel> levels;  // coarsest first
   std::vector<Refinement> all;
   Outcome last;

@@ -7,7 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "core/files/owned_files.hpp"
+
 namespace weaveform::study {
+
+namespace file_name {
+inline constexpr const char* accuracy = "accuracy.md";
+// The folder of the levels that were solved, each under its scene's digest: it is no result, and is taken up again.
+inline constexpr const char* levels = "accuracy";
+}  // namespace file_name
+
+[[nodiscard]] inline FileNames accuracy_files() {
+  return {file_name::accuracy};
+}
 
 struct AccuracyOptions {
   double tolerance = 0.02;            // relative
@@ -15,6 +27,7 @@ struct AccuracyOptions {
   std::vector<std::string> measures;  // empty: the scene's own (measure.hpp)
   int threads = 1;                    // of each run
   std::function<void(const std::string&)> log = [](const std::string&) {};
+  std::function<bool()> stop_requested = {};  // as in RunOptions
 };
 
 struct Accuracy {

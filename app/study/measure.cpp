@@ -12,6 +12,8 @@
 #include "core/files/files.hpp"
 #include "core/keys/nearest_name.hpp"
 #include "mesher/mesh/mesh_io.hpp"
+#include "post/output/summary.hpp"
+#include "solver/result/file_names.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform::study {
@@ -85,13 +87,13 @@ double from_history(const std::filesystem::path& file, const std::string& functi
 double measure(const std::filesystem::path& directory, const std::string& name) {
   for (const char* function : {"last", "max", "min"}) {
     const std::string column = argument_of(name, function);
-    if (!column.empty()) return from_history(directory / "history.csv", function, column);
+    if (!column.empty()) return from_history(directory / file_name::history, function, column);
   }
-  return from_summary(directory / "summary.json", name);
+  return from_summary(directory / file_name::summary, name);
 }
 
 std::vector<std::string> warnings_of(const std::filesystem::path& directory) {
-  const std::filesystem::path file = directory / "summary.json";
+  const std::filesystem::path file = directory / file_name::summary;
   const Json json = read_summary(file);
   const auto found = json.find("warnings");
   const auto is_text = [](const Json& item) { return item.is_string(); };
@@ -109,7 +111,7 @@ std::vector<std::string> default_measures(const Scene& scene) {
 }
 
 double mesh_size(const std::filesystem::path& directory) {
-  const Mesh mesh = read_mesh(directory / "mesh.vtu");
+  const Mesh mesh = read_mesh(directory / file_name::mesh);
   return std::sqrt(mesh.spacing[0] * mesh.spacing[1]);
 }
 

@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/scene_copy.hpp"
 #include "solver/result/chart_file.hpp"
 
 namespace weaveform::study {
@@ -43,7 +44,8 @@ void check_versions(const Table& table, const fs::path& study_folder, Report& re
   std::set<std::string> versions;
   for (const Row& row : table.row) {
     if (!row.outcome || row.outcome->exit_code != 0) continue;
-    const std::string scene = read_text_file(case_files(study_folder, row.one.name).results / "scene.toml");
+    const std::string scene =
+        read_text_file(case_files(study_folder, row.one.name).results / weaveform::file_name::scene);
     versions.insert(scene.substr(0, scene.find('\n')));
   }
   if (versions.size() > 1)
@@ -107,8 +109,9 @@ namespace {
 void write_convergence(const Study& study, const std::vector<ConvergenceOf>& convergence, const Table& table,
                        const fs::path& study_folder, Report& report) {
   const std::string text = convergence_markdown(*study.convergence, convergence, table);
-  write_text_whole(study_folder / "convergence.md", text);
-  write_text_whole(study_folder / "convergence.csv", convergence_csv(*study.convergence, convergence, table));
+  write_text_whole(study_folder / file_name::convergence, text);
+  write_text_whole(study_folder / file_name::convergence_table,
+                   convergence_csv(*study.convergence, convergence, table));
   report.answer += "\n" + text;
 }
 
@@ -116,14 +119,14 @@ void write_work_precision(const Study& study, const Measures& measures, const st
                           const Table& table, const fs::path& study_folder, Report& report) {
   const auto charts = work_precision_of(study, measures.charted, convergence, table, report.complaints);
   const std::string text = work_precision_markdown(*study.work_precision, charts, table);
-  write_text_whole(study_folder / "work_precision.csv", work_precision_csv(charts, table));
-  write_text_whole(study_folder / "work_precision.md", text);
+  write_text_whole(study_folder / file_name::work_precision_table, work_precision_csv(charts, table));
+  write_text_whole(study_folder / file_name::work_precision, text);
   std::vector<Chart> drawn;
   for (const WorkPrecision& one : charts) {
     drawn.push_back(work_precision_chart(one, table));
     write_chart(study_folder / chart_name(one.measure), drawn.back());
   }
-  write_chart_page(study_folder / "work_precision.html", study.file.stem().string(), drawn);
+  write_chart_page(study_folder / file_name::work_precision_page, study.file.stem().string(), drawn);
   report.answer += "\n" + text;
 }
 
@@ -138,11 +141,12 @@ Report write_border_report(const Study& study, const fs::path& study_folder) {
   const Table table = collect(study, cases, measures.all, study_folder, report.complaints);
   count(table, report);
   check_versions(table, study_folder, report);
-  write_text_whole(study_folder / "study.csv", to_csv(table, measures.columns));
-  write_text_whole(study_folder / "border.csv", border_csv(study, groups));
+  remove_files(study_folder, report_files());
+  write_text_whole(study_folder / file_name::table, to_csv(table, measures.columns));
+  write_text_whole(study_folder / file_name::border_table, border_csv(study, groups));
   report.answer = border_markdown(study, groups);
-  write_text_whole(study_folder / "border.md", report.answer);
-  if (const auto chart = border_chart(study, groups)) write_chart(study_folder / "border.svg", *chart);
+  write_text_whole(study_folder / file_name::border, report.answer);
+  if (const auto chart = border_chart(study, groups)) write_chart(study_folder / file_name::border_chart, *chart);
   for (const BorderGroup& group : groups) {
     if (!group.search.complaint.empty()) report.complaints.push_back(border_group_complaint(group));
     report.borders += border_is_found(group) ? 1 : 0;
@@ -156,6 +160,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
   const Table table = collect(study, cases, measures.all, study_folder, report.complaints);
   count(table, report);
   check_versions(table, study_folder, report);
+  remove_files(study_folder, report_files());
   report.answer = to_markdown(table, measures.columns);
   std::vector<ConvergenceOf> convergence;
   if (study.convergence) {
@@ -163,7 +168,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
     write_convergence(study, convergence, table, study_folder, report);
   }
   // Before the charts, which may find the reference case unfit.
-  write_text_whole(study_folder / "study.csv", to_csv(table, measures.columns));
+  write_text_whole(study_folder / file_name::table, to_csv(table, measures.columns));
   if (study.work_precision && report.done > 0)
     write_work_precision(study, measures, convergence, table, study_folder, report);
   return report;

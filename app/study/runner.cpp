@@ -17,7 +17,7 @@
 #include "core/files/files.hpp"
 #include "core/files/folder_lock.hpp"
 #include "mesher/tools/geo_script.hpp"
-#include "solver/analysis/interrupt.hpp"
+#include "solver/result/file_names.hpp"
 
 namespace weaveform::study {
 
@@ -131,7 +131,7 @@ public:
 private:
   void launch(Running next) {
     const CaseFiles files = case_files(folder_, next.one.name);
-    next.resumed = fs::exists(files.results / "checkpoint.bin");
+    next.resumed = fs::exists(files.results / file_name::checkpoint);
     fs::remove(files.log);
     std::vector<std::string> words = {
         this_program().string(), "run",     files.scene.string(), "--output",
@@ -148,7 +148,7 @@ private:
     if (code == 0 && !timed_enough(files, options_.repeats)) return launch(ended);
     // a checkpoint of another version of the program, or a damaged one, is no fault of the case
     const bool refused = code == static_cast<int>(ExitCode::input) || code == static_cast<int>(ExitCode::files);
-    if (ended.resumed && refused && fs::remove(files.results / "checkpoint.bin")) return launch(ended);
+    if (ended.resumed && refused && fs::remove(files.results / file_name::checkpoint)) return launch(ended);
     write_text_whole(files.exit, fmt::format("{}\n", code));
     const double seconds = std::chrono::duration<double>(Clock::now() - ended.since).count();
     options_.log(fmt::format("case {}{}: {}: {}, {:.1f} s", ++ended_, total_ > 0 ? fmt::format(" of {}", total_) : "",
@@ -168,12 +168,11 @@ private:
   bool one_done_ = false;
 };
 
-int run_pool(const Wanted& wanted, Pool& pool) {
-  const InterruptWatch watch;
+int run_pool(const Wanted& wanted, Pool& pool, const RunOptions& options) {
   std::deque<Case> waiting;
   int given = 0;
   for (bool ask = true;;) {
-    if (InterruptWatch::requested()) {
+    if (options.stop_requested && options.stop_requested()) {
       pool.interrupt();
       throw Interrupted("study interrupted; the same command goes on where it stopped");
     }
@@ -204,14 +203,14 @@ void write_case(const Case& one, const fs::path& study_folder) {
 int run_wanted(const Wanted& wanted, const fs::path& study_folder, const RunOptions& options) {
   const FolderLock lock = lock_cases(study_folder);
   Pool pool(study_folder, options, 0);
-  return run_pool(wanted, pool);
+  return run_pool(wanted, pool, options);
 }
 
 int run_cases(const std::vector<Case>& cases, const fs::path& study_folder, const RunOptions& options) {
   const FolderLock lock = lock_cases(study_folder);
   std::vector<Case> left = unfinished(cases, study_folder, options);
   Pool pool(study_folder, options, left.size());
-  return run_pool([&] { return std::exchange(left, {}); }, pool);
+  return run_pool([&] { return std::exchange(left, {}); }, pool, options);
 }
 
 }  // namespace weaveform::study

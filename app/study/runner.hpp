@@ -17,6 +17,8 @@ struct RunOptions {
   int repeats = 1;     // runs of each case, for its time
   bool retry = false;  // run cases that failed once more
   std::function<void(const std::string&)> log = [](const std::string&) {};
+  // Asked again and again; true: ask the running cases to stop and throw Interrupted.
+  std::function<bool()> stop_requested = {};
   std::function<void(const Case&)> first_done = [](const Case&) {};  // called after the first case that is done
 };
 

@@ -213,8 +213,8 @@ double greatest_length_error(const Mesh& mesh, const Drape& drape) {
 
 }  // namespace
 
-Drape drape_blank(const Scene& scene, const Mesh& mesh) {
-  const DrapeStart start = drape_start(scene, mesh);
+Drape drape_blank(const Scene& scene, const Mesh& mesh, const std::vector<Tool>& tools) {
+  const DrapeStart start = drape_start(scene, mesh, tools);
   const Lattice lattice = lattice_of(mesh, start.crossing);
   const auto began = std::chrono::steady_clock::now();
   std::vector<char> wanted = lattice.wanted;

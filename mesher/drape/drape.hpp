@@ -8,6 +8,7 @@
 
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
+#include "mesher/tools/tool.hpp"
 
 namespace weaveform {
 
@@ -45,9 +46,9 @@ struct Drape {
   [[nodiscard]] bool whole() const { return unreachable.empty() && folds.empty(); }
 };
 
-// `mesh` flat, as build_flat_mesh leaves it. Throws InputError: no such tool, a seed off the surface, a blank that
-// misses the tool, a warp direction across the surface, curves that miss the seed.
-[[nodiscard]] Drape drape_blank(const Scene& scene, const Mesh& mesh);
+// `mesh` flat, as build_flat_mesh leaves it; `tools` are the scene's. Throws InputError: no such tool, a seed off the
+// surface, a blank that misses the tool, a warp direction across the surface, curves that miss the seed.
+[[nodiscard]] Drape drape_blank(const Scene& scene, const Mesh& mesh, const std::vector<Tool>& tools);
 
 // "at (x, y, z) mm: what (count)"
 [[nodiscard]] std::string place_line(const DrapePlace& place);

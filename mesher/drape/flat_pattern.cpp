@@ -34,8 +34,8 @@ double length_on_surface(const DrapeSurface& surface, const Vector3d& x, const V
 
 class Tracer {
 public:
-  Tracer(const Scene& scene, const Mesh& mesh, const Drape& drape)
-      : scene_(scene), mesh_(mesh), drape_(drape), start_(drape_start(scene, mesh)) {
+  Tracer(const Scene& scene, const Mesh& mesh, const std::vector<Tool>& tools, const Drape& drape)
+      : scene_(scene), mesh_(mesh), drape_(drape), start_(drape_start(scene, mesh, tools)) {
     const std::size_t count = static_cast<std::size_t>(mesh.lattice_size[0]) * mesh.lattice_size[1];
     node_.assign(count, -1);
     for (auto& side : end_) side.assign(count, -1);
@@ -139,8 +139,9 @@ private:
 
 }  // namespace
 
-FlatPattern flat_pattern(const Scene& scene, const Mesh& flat_mesh, const Drape& drape) {
-  return Tracer(scene, flat_mesh, drape).trace();
+FlatPattern flat_pattern(const Scene& scene, const Mesh& flat_mesh, const std::vector<Tool>& tools,
+                         const Drape& drape) {
+  return Tracer(scene, flat_mesh, tools, drape).trace();
 }
 
 std::string flat_pattern_csv(const FlatPattern& pattern) {

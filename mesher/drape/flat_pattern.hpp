@@ -13,7 +13,8 @@ namespace weaveform {
 // or where the yarn leaves the tool's surface (found by halving along the yarn, so exact there); corners between two
 // yarns are cut straight.
 using FlatPattern = std::vector<std::vector<std::array<double, 2>>>;
-[[nodiscard]] FlatPattern flat_pattern(const Scene& scene, const Mesh& flat_mesh, const Drape& drape);
+[[nodiscard]] FlatPattern flat_pattern(const Scene& scene, const Mesh& flat_mesh, const std::vector<Tool>& tools,
+                                       const Drape& drape);
 
 // "loop,x_mm,y_mm" and a line a point; loops count from 0 and close by themselves.
 [[nodiscard]] std::string flat_pattern_csv(const FlatPattern& pattern);

@@ -32,9 +32,9 @@ std::string place_text(const Vector3d& x) {
   throw InputError((scene.file.empty() ? "" : scene.file + ": ") + "[drape] " + what);
 }
 
-Tool named_tool(const Scene& scene, const Mesh& mesh) {
+const Tool& named_tool(const Scene& scene, const std::vector<Tool>& tools) {
   std::vector<std::string> names;
-  for (auto& tool : make_tools(scene, mesh)) {
+  for (const Tool& tool : tools) {
     if (tool.name == scene.drape->tool) return tool;
     names.push_back(tool.name);
   }
@@ -158,10 +158,10 @@ Vector3d flat_point(const BlankSpec& blank, const std::array<double, 2>& point) 
           blank.position[2]};
 }
 
-DrapeStart drape_start(const Scene& scene, const Mesh& mesh) {
+DrapeStart drape_start(const Scene& scene, const Mesh& mesh, const std::vector<Tool>& tools) {
   const DrapeSpec& drape = *scene.drape;
   DrapeStart start;
-  const Tool tool = named_tool(scene, mesh);
+  const Tool& tool = named_tool(scene, tools);
   start.crossing = nearest_crossing(scene, mesh);
   start.offset = tool.offset;
   start.surface = std::make_unique<ToolSurface>(tool, tool.offset);

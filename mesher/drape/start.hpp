@@ -8,6 +8,7 @@
 #include "mesher/drape/net.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
+#include "mesher/tools/tool.hpp"
 
 namespace weaveform {
 
@@ -19,7 +20,7 @@ struct DrapeStart {
 };
 
 // Throws InputError (drape.hpp).
-[[nodiscard]] DrapeStart drape_start(const Scene& scene, const Mesh& mesh);
+[[nodiscard]] DrapeStart drape_start(const Scene& scene, const Mesh& mesh, const std::vector<Tool>& tools);
 
 // The point of the flat blank (blank's frame) in the world.
 [[nodiscard]] Eigen::Vector3d flat_point(const BlankSpec& blank, const std::array<double, 2>& point);

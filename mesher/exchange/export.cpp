@@ -7,13 +7,14 @@
 
 namespace weaveform {
 
-ExportedMesh export_mesh(MeshFormat format, const Scene& scene, const Card& card, const Mesh& mesh, double duration,
-                         const std::string& written_by, const ExportOptions& options) {
+ExportedMesh export_mesh(MeshFormat format, const Scene& scene, const Card& card, const Mesh& mesh,
+                         const std::vector<Tool>& tools, double duration, const std::string& written_by,
+                         const ExportOptions& options) {
   if (options.is_static && format != MeshFormat::calculix)
     throw InputError("--static goes with --format calculix; the other formats write the motion over its duration");
   if (options.materials == Materials::user && (format == MeshFormat::calculix || format == MeshFormat::gmsh))
     throw InputError("--materials user goes with --format abaqus, lsdyna and openradioss");
-  foreign::Gathered model = foreign::gather(scene, card, mesh, duration, written_by);
+  foreign::Gathered model = foreign::gather(scene, card, mesh, tools, duration, written_by);
   switch (format) {
     case MeshFormat::abaqus:
       return foreign::write_abaqus(model);

@@ -9,6 +9,7 @@
 #include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
+#include "mesher/tools/tool.hpp"
 
 namespace weaveform {
 
@@ -30,11 +31,10 @@ struct ExportedMesh {
   std::string engine = {};               // openradioss: the whole engine file, RUN_NAME_0001.rad; else empty
 };
 
-// `duration` (s) of the motion, which the scene may leave to the program. `written_by` goes into the header. Throws
-// InputError when a tool's profile or file is none, or when options do not go with the format or the scene; FileError
-// when a tool's file cannot be read.
+// `tools` are the scene's; `duration` (s) of the motion, which the scene may leave to the program. `written_by` goes
+// into the header. Throws InputError when options do not go with the format or the scene.
 [[nodiscard]] ExportedMesh export_mesh(MeshFormat format, const Scene& scene, const Card& card, const Mesh& mesh,
-                                       double duration, const std::string& written_by,
+                                       const std::vector<Tool>& tools, double duration, const std::string& written_by,
                                        const ExportOptions& options = {});
 
 }  // namespace weaveform

@@ -8,6 +8,7 @@
 #include "core/files/text_words.hpp"
 #include "mesher/exchange/gathered.hpp"
 #include "mesher/exchange/import.hpp"
+#include "mesher/scene/scene_copy.hpp"
 
 namespace weaveform {
 
@@ -110,7 +111,7 @@ void keep_node_sets(const ForeignMesh& file, const Scene& scene, const std::vect
 }
 
 std::optional<std::string> tool_surface(const ForeignMesh& file, const std::string& tool) {
-  std::string text = fmt::format("solid {}\n", foreign::plain_name(tool));
+  std::string text = fmt::format("solid {} ({} import)\n", foreign::plain_name(tool), written_mark);
   const std::vector<int> shells = shells_named(file, tool);
   for (const int each : shells) {
     const ForeignElement& shell = file.shells[each];

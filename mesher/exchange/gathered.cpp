@@ -90,10 +90,9 @@ void gather_frame(const Scene& scene, const Mesh& mesh, Gathered& model) {
   for (std::size_t k = 0; k < 4; ++k) model.members.push_back({{corner[k], corner[(k + 1) % 4]}});
 }
 
-void gather_tools(const Scene& scene, const Mesh& mesh, Gathered& model) {
-  std::vector<Tool> tools = make_tools(scene, mesh);
+void gather_tools(const Scene& scene, const std::vector<Tool>& tools, Gathered& model) {
   for (std::size_t k = 0; k < tools.size(); ++k) {
-    ToolMotion motion{std::move(tools[k]), &scene.tools[k], {}};
+    ToolMotion motion{tools[k], &scene.tools[k], {}};
     for (std::size_t c = 0; c < 3; ++c) motion.travel[c] = motion.spec->travel * motion.tool.direction[c] + 0.0;
     model.tools.push_back(std::move(motion));
   }
@@ -247,7 +246,7 @@ std::vector<Shell> shells_of(const MeshCells& cells) {
   return shells;
 }
 
-Gathered gather(const Scene& scene, const Card& card, const Mesh& mesh, double duration,
+Gathered gather(const Scene& scene, const Card& card, const Mesh& mesh, const std::vector<Tool>& tools, double duration,
                 const std::string& written_by) {
   Gathered model{scene, card, mesh, duration, written_by, group_yarns(mesh), shells_of(mesh.cells), {},
                  {},    {},   {},   {},       {}};
@@ -258,7 +257,7 @@ Gathered gather(const Scene& scene, const Card& card, const Mesh& mesh, double d
   model.sets = mesh.sets;
   gather_grips(scene, model);
   gather_frame(scene, mesh, model);
-  gather_tools(scene, mesh, model);
+  gather_tools(scene, tools, model);
   return model;
 }
 

@@ -85,8 +85,8 @@ struct Gathered {
 // Cells as the writers cut them: three and four nodes as they are, five as 4 + 3, six as 4 + 4.
 [[nodiscard]] std::vector<Shell> shells_of(const MeshCells& cells);
 
-[[nodiscard]] Gathered gather(const Scene& scene, const Card& card, const Mesh& mesh, double duration,
-                              const std::string& written_by);
+[[nodiscard]] Gathered gather(const Scene& scene, const Card& card, const Mesh& mesh, const std::vector<Tool>& tools,
+                              double duration, const std::string& written_by);
 
 // One constant of a user material with what it is.
 struct Constant {

@@ -278,7 +278,7 @@ void place_in_world(const YarnNet& net, const BlankSpec& blank, Mesh& mesh) {
   }
 }
 
-Mesh build(const Scene& scene, const Card& card) {
+Mesh build(const Scene& scene, const Card& card, const BlankOutline& read) {
   const BlankSpec& blank = scene.blank;
   const Turn yarns = turn_by_degrees(blank.yarn_angle);
   const Vec2 asked = model_spacing(blank, card);
@@ -286,7 +286,7 @@ Mesh build(const Scene& scene, const Card& card) {
   std::vector<std::string> complaints;
   if (scene.frame) check_frame(scene, complaints);
   if (is_cross(blank)) check_cross(scene, complaints);
-  const Outline outline = blank_outline(scene, yarns, complaints);
+  const Outline outline = yarn_outline(blank, read, yarns);
   if (!complaints.empty()) complain(scene, complaints);
   check_size(blank, outline, yarns, asked, complaints);
   // Ends on the outline are found to the net's tolerance; twice over, at the corners.
@@ -328,13 +328,17 @@ Mesh build(const Scene& scene, const Card& card) {
 
 namespace weaveform {
 
+Mesh build_flat_mesh(const Scene& scene, const Card& card, const BlankOutline& outline) {
+  return lattice::build(scene, card, outline);
+}
+
 Mesh build_flat_mesh(const Scene& scene, const Card& card) {
-  return lattice::build(scene, card);
+  return build_flat_mesh(scene, card, read_blank_outline(scene));
 }
 
 Mesh build_mesh(const Scene& scene, const Card& card) {
   Mesh mesh = build_flat_mesh(scene, card);
-  if (scene.drape) lay_drape(scene, drape_blank(scene, mesh), mesh);
+  if (scene.drape) lay_drape(scene, drape_blank(scene, mesh, make_tools(scene, mesh)), mesh);
   return mesh;
 }
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "mesher/outline/blank_outline.hpp"
 #include "mesher/outline/loops.hpp"
 
 namespace weaveform {
@@ -47,25 +45,21 @@ std::string find_outlier(const std::vector<OutlineLoop>& loops, const Bounds& bo
 
 }  // namespace
 
-ExpectedSize expected_size(const Scene& scene, const Card& card) {
-  const BlankSpec& blank = scene.blank;
+ExpectedSize expected_size(const BlankSpec& blank, const Card& card, const BlankOutline& outline) {
   ExpectedSize size;
   size.spacing = {blank.coarsening[1] * card.yarn[1].interval, blank.coarsening[0] * card.yarn[0].interval};
   double area = blank.size[0] * blank.size[1];
   if (blank.shape == BlankShape::disc) area *= 0.25 * std::numbers::pi;
   size.extent = blank.size;
   if (blank.shape == BlankShape::polygon || blank.shape == BlankShape::file) {
-    std::vector<std::string> complaints;
-    const std::vector<OutlineLoop> loops = blank_loops(scene, complaints);
-    if (!complaints.empty()) throw InputError(complaints);
     Bounds box;
     area = 0.0;
-    for (const auto& loop : loops) {
+    for (const auto& loop : outline.loops) {
       for (const auto& p : loop.point) box.take_in(p);
       area += signed_area(loop.point);  // holes are clockwise
     }
     size.extent = box.extent();
-    size.outlier = find_outlier(loops, box);
+    size.outlier = find_outlier(outline.loops, box);
   }
   const double angle = std::fmod(blank.yarn_angle, 360.0) * std::numbers::pi / 180.0;  // rad
   const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));

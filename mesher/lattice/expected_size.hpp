@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fabric/card/card.hpp"
+#include "mesher/outline/blank_outline.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {
@@ -18,7 +19,7 @@ struct ExpectedSize {
   std::string outlier;
 };
 
-// Throws InputError when the outline is unsound, FileError when its file cannot be read.
-[[nodiscard]] ExpectedSize expected_size(const Scene& scene, const Card& card);
+// `outline` is that of `blank`.
+[[nodiscard]] ExpectedSize expected_size(const BlankSpec& blank, const Card& card, const BlankOutline& outline);
 
 }  // namespace weaveform

@@ -10,6 +10,10 @@ namespace weaveform {
 
 struct VtuGrid;  // vtu_grid.hpp
 
+namespace file_name {
+inline constexpr const char* mesh = "mesh.vtu";
+}
+
 // Written to a temporary name and renamed, so whole or not at all. Throws FileError.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file);
 // Reads what write_mesh wrote, bit for bit. Throws FileError (unreadable) or InputError (not a Weaveform mesh: what is

@@ -32,8 +32,13 @@ bool names_its_unit(const std::string& file) {
   return ending == ".STEP" || ending == ".STP" || ending == ".IGES" || ending == ".IGS";
 }
 
-std::vector<OutlineLoop> file_loops(const Scene& scene, const std::string& file, std::vector<std::string>& complaints) {
-  if (is_dxf_file(file)) return read_dxf_outline(file, dxf_asked(scene), complaints).loops;
+std::vector<OutlineLoop> file_loops(const Scene& scene, const std::string& file, std::vector<std::string>& notes,
+                                    std::vector<std::string>& complaints) {
+  if (is_dxf_file(file)) {
+    auto drawn = read_dxf_outline(file, dxf_asked(scene), complaints);
+    notes = std::move(drawn.notes);
+    return std::move(drawn.loops);
+  }
   if (!scene.blank.outline_layers.empty())
     complaints.push_back(file + ": blank.outline_layers means nothing to it; only a DXF drawing has layers");
   if (scene.blank.outline_unit && names_its_unit(file))
@@ -46,21 +51,7 @@ std::vector<OutlineLoop> file_loops(const Scene& scene, const std::string& file,
   return loops;
 }
 
-}  // namespace
-
-std::vector<std::string> outline_notes(const Scene& scene) {
-  if (scene.blank.shape != BlankShape::file || !is_dxf_file(scene.blank.outline)) return {};
-  std::vector<std::string> complaints;  // the mesher's
-  return read_dxf_outline(outline_file(scene), dxf_asked(scene), complaints).notes;
-}
-
-std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string>& complaints) {
-  const BlankSpec& blank = scene.blank;
-  if (blank.shape == BlankShape::disc) return {ellipse_loop(blank.size)};
-  if (blank.shape == BlankShape::file) {
-    const std::string file = outline_file(scene);
-    return sound_loops(file_loops(scene, file, complaints), file, complaints);
-  }
+std::vector<OutlineLoop> corner_loops(const BlankSpec& blank, std::vector<std::string>& complaints) {
   OutlineLoop loop;
   for (const auto& corner : blank.corners) {
     if (corner.size() != 2) {
@@ -73,23 +64,35 @@ std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string
   return sound_loops({loop}, "blank.corners", complaints);
 }
 
-lattice::Outline blank_outline(const Scene& scene, const lattice::Turn& yarns, std::vector<std::string>& complaints) {
-  const BlankSpec& blank = scene.blank;
-  if (blank.shape == BlankShape::rectangle) return lattice::rectangle_outline(blank.size, yarns);
-  if (blank.shape == BlankShape::cross) return lattice::rectangle_outline({*blank.arm_width, *blank.arm_width}, yarns);
-  lattice::Outline outline;
-  for (const auto& loop : blank_loops(scene, complaints))
-    for (std::size_t k = 0; k < loop.point.size(); ++k)
-      outline.edge.push_back({yarns.back(loop.point[k]), yarns.back(loop.point[(k + 1) % loop.point.size()]), {}});
+}  // namespace
+
+BlankOutline read_blank_outline(const Scene& scene) {
+  const BlankShape shape = scene.blank.shape;
+  BlankOutline outline;
+  std::vector<std::string> complaints;
+  if (shape == BlankShape::disc) outline.loops = {ellipse_loop(scene.blank.size)};
+  if (shape == BlankShape::polygon) outline.loops = corner_loops(scene.blank, complaints);
+  if (shape == BlankShape::file) {
+    const std::string file = outline_file(scene);
+    outline.loops = sound_loops(file_loops(scene, file, outline.notes, complaints), file, complaints);
+  }
+  if (!complaints.empty()) throw InputError(complaints);
   return outline;
 }
 
-std::array<double, 2> blank_extent(const Scene& scene) {
-  if (scene.blank.shape != BlankShape::polygon && scene.blank.shape != BlankShape::file) return scene.blank.size;
-  std::vector<std::string> complaints;
-  const lattice::Outline outline = blank_outline(scene, lattice::Turn{}, complaints);
-  if (!complaints.empty()) throw InputError(complaints);
-  const lattice::Box box = lattice::bounding_box(outline);
+lattice::Outline yarn_outline(const BlankSpec& blank, const BlankOutline& outline, const lattice::Turn& yarns) {
+  if (blank.shape == BlankShape::rectangle) return lattice::rectangle_outline(blank.size, yarns);
+  if (blank.shape == BlankShape::cross) return lattice::rectangle_outline({*blank.arm_width, *blank.arm_width}, yarns);
+  lattice::Outline turned;
+  for (const auto& loop : outline.loops)
+    for (std::size_t k = 0; k < loop.point.size(); ++k)
+      turned.edge.push_back({yarns.back(loop.point[k]), yarns.back(loop.point[(k + 1) % loop.point.size()]), {}});
+  return turned;
+}
+
+std::array<double, 2> blank_extent(const BlankSpec& blank, const BlankOutline& outline) {
+  if (blank.shape != BlankShape::polygon && blank.shape != BlankShape::file) return blank.size;
+  const lattice::Box box = lattice::bounding_box(yarn_outline(blank, outline, lattice::Turn{}));
   return {box.high[0] - box.low[0], box.high[1] - box.low[1]};
 }
 

@@ -11,19 +11,21 @@
 
 namespace weaveform {
 
+// A blank's outline as its formula, corners or file give it, read once.
+struct BlankOutline {
+  std::vector<OutlineLoop> loops;  // closed, in the blank's own frame (mm); none of a rectangle or a cross
+  std::vector<std::string> notes;  // what a file took for granted (unit, layers), in the words of a warning
+};
+
+// Throws InputError with every complaint about the outline, FileError when blank.outline cannot be read.
+[[nodiscard]] BlankOutline read_blank_outline(const Scene& scene);
+
 // In yarn coordinates. Rectangles have edges "bottom", "right", "top", "left"; a cross is its middle square here, its
-// arms are attached later (mesher/lattice/cross.hpp). Adds a line per trouble to `complaints` and then returns an empty
-// outline. Throws FileError when blank.outline cannot be read.
-[[nodiscard]] lattice::Outline blank_outline(const Scene& scene, const lattice::Turn& yarns,
-                                             std::vector<std::string>& complaints);
-
-// The closed loops of a disc, polygon or file, in the blank's own frame; complaints as above.
-[[nodiscard]] std::vector<OutlineLoop> blank_loops(const Scene& scene, std::vector<std::string>& complaints);
-
-// What a file's outline took for granted (unit, layers), one line each in the words of a warning. Throws as above.
-[[nodiscard]] std::vector<std::string> outline_notes(const Scene& scene);
+// arms are attached later (mesher/lattice/cross.hpp). `outline` is that of `blank`.
+[[nodiscard]] lattice::Outline yarn_outline(const BlankSpec& blank, const BlankOutline& outline,
+                                            const lattice::Turn& yarns);
 
 // mm; extent of the blank along its own axes: blank.size, or that of the given corners or file.
-[[nodiscard]] std::array<double, 2> blank_extent(const Scene& scene);
+[[nodiscard]] std::array<double, 2> blank_extent(const BlankSpec& blank, const BlankOutline& outline);
 
 }  // namespace weaveform

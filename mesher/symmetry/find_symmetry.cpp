@@ -26,7 +26,7 @@ std::string Symmetry::word() const {
   return plane.empty() ? "none" : plane.size() == 1 ? "half" : "quarter";
 }
 
-Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh) {
+Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh, const std::vector<Tool>& tools) {
   Symmetry symmetry;
   symmetry.asked = scene.model.symmetry;
   const std::size_t wanted = planes_wanted(symmetry.asked);
@@ -34,7 +34,7 @@ Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh) {
     const SymmetryPlane plane = blank_plane(scene.blank, axis);
     MirrorMap map;
     std::string& why = symmetry.why[axis];
-    why = find_load_difference(scene, card, axis);
+    why = find_load_difference(scene, tools, axis);
     if (why.empty()) why = find_mirror_map(mesh, plane, map);
     if (why.empty()) why = find_law_difference(scene, card, map);
     if (!why.empty()) continue;

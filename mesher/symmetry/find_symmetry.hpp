@@ -18,9 +18,10 @@ struct Symmetry {
   [[nodiscard]] std::string word() const;      // "none", "half", "quarter"
 };
 
-// `mesh` is the whole. Throws InputError, with the first thing in the way, when the scene asks for a half or a quarter
-// that it has not got.
-[[nodiscard]] Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh);
+// `mesh` is the whole, `tools` are the scene's. Throws InputError, with the first thing in the way, when the scene asks
+// for a half or a quarter that it has not got.
+[[nodiscard]] Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh,
+                                     const std::vector<Tool>& tools);
 
 // One line for the log: what is solved, and why not less.
 [[nodiscard]] std::string describe(const Symmetry& symmetry);

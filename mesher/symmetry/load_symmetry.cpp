@@ -101,11 +101,10 @@ bool shape_is_mirrored(const Tool& tool, const SymmetryPlane& plane) {
   return false;
 }
 
-std::string tools_difference(const Scene& scene, double thickness, const SymmetryPlane& plane) {
+std::string tools_difference(const Scene& scene, const std::vector<Tool>& tools, const SymmetryPlane& plane) {
   for (const auto& spec : scene.tools)
     if (spec.shape == ToolShape::triangles)
       return fmt::format("tool '{}' is made of triangles, whose symmetry is not looked for", spec.name);
-  const auto tools = make_tools(scene, thickness);
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const ToolSpec& spec = scene.tools[t];
     const std::string name = fmt::format("tool '{}'", spec.name);
@@ -124,14 +123,14 @@ SymmetryPlane blank_plane(const BlankSpec& blank, int axis) {
   return {blank.position, {normal[0], normal[1], 0.0}};
 }
 
-std::string find_load_difference(const Scene& scene, const Card& card, int axis) {
+std::string find_load_difference(const Scene& scene, const std::vector<Tool>& tools, int axis) {
   const SymmetryPlane plane = blank_plane(scene.blank, axis);
   if (scene.frame) return "a shear frame holds the fabric";
   if (scene.drape) return "the blank starts draped";
   if (scene.analysis.perturbation > 0.0) return "analysis.perturbation is random";
   std::string why = gravity_difference(scene, plane);
   if (why.empty()) why = grips_difference(scene, axis);
-  if (why.empty()) why = tools_difference(scene, card.thickness, plane);
+  if (why.empty()) why = tools_difference(scene, tools, plane);
   return why;
 }
 

@@ -108,14 +108,13 @@ std::string motion_of(const ToolSpec& spec) {
 
 }  // namespace
 
-std::vector<std::string> tools_out_of_reach(const Scene& scene, const Mesh& mesh) {
+std::vector<std::string> tools_out_of_reach(const Scene& scene, const Mesh& mesh, const std::vector<Tool>& tools) {
   const auto travels = [](const GripSpec& grip) { return grip.travel != 0.0; };
   if (scene.tools.empty() || mesh.nodes.position.empty() || scene.frame ||
       scene.analysis.gravity != std::array<double, 3>{0.0, 0.0, 0.0} ||
       std::any_of(scene.grip.begin(), scene.grip.end(), travels))
     return {};
   const Cloud cloud = pick_nodes(mesh);
-  const std::vector<Tool> tools = make_tools(scene, mesh);
   std::vector<Approach> approaches;
   for (std::size_t t = 0; t < tools.size(); ++t) approaches.push_back(approach(tools[t], scene.tools[t], cloud));
   std::vector<std::string> lines;

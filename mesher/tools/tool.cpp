@@ -94,7 +94,7 @@ FileSurface surface_of(const ToolSpec& spec, const Scene& scene, double cell_edg
   return surface;
 }
 
-Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, double cell_edge) {
+Tool ready_tool(const ToolSpec& spec, const Scene& scene, double thickness, double cell_edge) {
   const std::string where = (scene.file.empty() ? "" : scene.file + ": ") + "[tools." + spec.name + "]";
   Tool tool;
   tool.name = spec.name;
@@ -120,6 +120,11 @@ Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, doubl
   return tool;
 }
 
+double cell_edge_of(const Mesh& mesh) {
+  const double edge = std::min(mesh.spacing[0], mesh.spacing[1]);
+  return edge > 0.0 ? edge : usual_cell_edge;
+}
+
 void triangle_distances(const TriangleSurface& surface, const Placement& place, const Coordinates& x, int count,
                         int* hint, Distances& out) {
   for (int n = 0; n < count; ++n) {
@@ -134,20 +139,17 @@ void triangle_distances(const TriangleSurface& surface, const Placement& place, 
 }  // namespace
 
 std::vector<Tool> make_tools(const Scene& scene, const Mesh& mesh) {
-  const double edge = std::min(mesh.spacing[0], mesh.spacing[1]);
-  return make_tools(scene, mesh.thickness, edge > 0.0 ? edge : usual_cell_edge);
+  return make_tools(scene, mesh.thickness, cell_edge_of(mesh));
 }
 
 std::vector<Tool> make_tools(const Scene& scene, double thickness, double cell_edge) {
   std::vector<Tool> tools;
-  for (const auto& spec : scene.tools) tools.push_back(make_tool(spec, scene, thickness, cell_edge));
+  for (const auto& spec : scene.tools) tools.push_back(ready_tool(spec, scene, thickness, cell_edge));
   return tools;
 }
 
-std::vector<std::string> tool_notes(const Scene& scene, const Mesh& mesh) {
-  std::vector<std::string> notes;
-  for (const Tool& tool : make_tools(scene, mesh)) notes.insert(notes.end(), tool.notes.begin(), tool.notes.end());
-  return notes;
+Tool make_tool(const ToolSpec& spec, const Scene& scene, const Mesh& mesh) {
+  return ready_tool(spec, scene, mesh.thickness, cell_edge_of(mesh));
 }
 
 void tool_distances(const Tool& tool, const Placement& place, const Coordinates& x, int count, int* hint,

@@ -38,9 +38,8 @@ inline constexpr double usual_cell_edge = 5.0;  // mm; where there is no mesh
 [[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, const Mesh& mesh);
 [[nodiscard]] std::vector<Tool> make_tools(const Scene& scene, double thickness, double cell_edge = usual_cell_edge);
 
-// What the readers of the tools' files complained of and passed over, a line each with the tool and the file. Throws
-// what make_tools throws.
-[[nodiscard]] std::vector<std::string> tool_notes(const Scene& scene, const Mesh& mesh);
+// One of them, of the scene's `spec`.
+[[nodiscard]] Tool make_tool(const ToolSpec& spec, const Scene& scene, const Mesh& mesh);
 
 // Signed distances of up to points_at_a_time points from the tool standing at `place`. `hint` holds one number a point,
 // kept from call to call by whoever cares for speed (triangles only; any value gives the same distance).

@@ -21,10 +21,9 @@ void find_greatest_angle(const Mesh& mesh, const Fields& fields, Forming& formin
 
 }  // namespace
 
-std::optional<Forming> evaluate_forming(const Scene& scene, const Mesh& mesh, const Fields& fields,
-                                        const History& history) {
-  if (scene.tools.empty()) return {};
-  const std::vector<Tool> tools = make_tools(scene, mesh);
+std::optional<Forming> evaluate_forming(const Scene& scene, const Mesh& mesh, const std::vector<Tool>& tools,
+                                        const Fields& fields, const History& history) {
+  if (tools.empty()) return {};
   const std::vector<PlacedTool> placed = place_tools(tools, history, fields.time);
   Forming forming;
   forming.has_bending = scene.model.yarn == YarnElement::beam || scene.model.cell != CellElement::membrane;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/files/owned_files.hpp"
 #include "post/forming/meridian.hpp"
 #include "post/forming/net_on_sphere.hpp"
 #include "post/forming/outline.hpp"
@@ -15,6 +16,18 @@
 #include "post/forming/wrinkles.hpp"
 
 namespace weaveform {
+
+namespace file_name {
+inline constexpr const char *meridians = "meridians.csv", *meridian_chart = "meridians.svg";
+inline constexpr const char *outline = "outline.csv", *outline_lines = "outline.vtp", *wrinkles = "wrinkles.vtp";
+inline constexpr const char *punch_chart = "punch_force.svg", *sphere_net = "sphere_net.csv";
+inline constexpr const char* sphere_net_chart = "sphere_net.svg";
+}  // namespace file_name
+
+[[nodiscard]] inline FileNames forming_files() {
+  return {file_name::meridians, file_name::meridian_chart, file_name::outline,    file_name::outline_lines,
+          file_name::wrinkles,  file_name::punch_chart,    file_name::sphere_net, file_name::sphere_net_chart};
+}
 
 inline constexpr std::array<double, 3> meridian_azimuths = {0.0, 45.0, 90.0};  // deg; from the warp
 
@@ -36,7 +49,8 @@ struct Forming {
 };
 
 // From the fields of a frame and the history; none without tools. Throws InputError when the history lacks a column.
-[[nodiscard]] std::optional<Forming> evaluate_forming(const Scene& scene, const Mesh& mesh, const Fields& fields,
+[[nodiscard]] std::optional<Forming> evaluate_forming(const Scene& scene, const Mesh& mesh,
+                                                      const std::vector<Tool>& tools, const Fields& fields,
                                                       const History& history);
 
 // meridians.csv and .svg, outline.csv and .vtp, wrinkles.vtp; punch_force.svg with a punch; sphere_net.csv and .svg

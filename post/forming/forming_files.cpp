@@ -48,8 +48,8 @@ void write_meridians(const Forming& forming, const fs::path& directory) {
     }
     chart.series.push_back(series);
   }
-  write_text_whole(directory / "meridians.csv", table);
-  write_chart(directory / "meridians.svg", chart);
+  write_text_whole(directory / file_name::meridians, table);
+  write_chart(directory / file_name::meridian_chart, chart);
 }
 
 void write_polydata(vtkPolyData& data, const fs::path& file) {
@@ -96,8 +96,8 @@ void write_outline(const Forming& forming, const Mesh& mesh, const Fields& field
   for (const DrawInRow& r : forming.draw_in.row)
     table +=
         fmt::format("{:g},{:.10g},{:.10g},{:.10g}\n", std::round(r.azimuth * degrees), r.before, r.after, r.draw_in());
-  write_text_whole(directory / "outline.csv", table);
-  write_outline_lines(forming, mesh, fields, directory / "outline.vtp");
+  write_text_whole(directory / file_name::outline, table);
+  write_outline_lines(forming, mesh, fields, directory / file_name::outline_lines);
 }
 
 void write_wrinkles(const Forming& forming, const Mesh& mesh, const Fields& fields, const fs::path& file) {
@@ -169,18 +169,18 @@ void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
   chart.x.title = "s = u v / R²";
   chart.y.title = "shear angle (deg)";
   chart.series = {off, on, net};
-  write_text_whole(directory / "sphere_net.csv", table);
-  write_chart(directory / "sphere_net.svg", chart);
+  write_text_whole(directory / file_name::sphere_net, table);
+  write_chart(directory / file_name::sphere_net_chart, chart);
 }
 
 }  // namespace
 
 void write_forming(const Forming& forming, const Mesh& mesh, const Fields& fields, const fs::path& directory) {
-  for (const char* name : {"punch_force.svg", "sphere_net.csv", "sphere_net.svg"}) fs::remove(directory / name);
+  remove_files(directory, forming_files());
   write_meridians(forming, directory);
   write_outline(forming, mesh, fields, directory);
-  write_wrinkles(forming, mesh, fields, directory / "wrinkles.vtp");
-  if (forming.punch) write_punch_chart(*forming.punch, directory / "punch_force.svg");
+  write_wrinkles(forming, mesh, fields, directory / file_name::wrinkles);
+  if (forming.punch) write_punch_chart(*forming.punch, directory / file_name::punch_chart);
   if (forming.sphere_net) write_sphere_net(*forming.sphere_net, directory);
 }
 

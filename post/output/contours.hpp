@@ -9,6 +9,10 @@
 
 namespace weaveform {
 
+namespace file_name {
+inline constexpr const char* contours = "contours.vtp";
+}
+
 struct Isoline {
   double level = 0.0;       // deg; signed shear angle
   std::vector<Vec3> point;  // mm

@@ -112,12 +112,12 @@ DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape) {
   return s;
 }
 
-void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const Drape& drape,
-                 const std::filesystem::path& directory) {
+void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const std::vector<Tool>& tools,
+                 const Drape& drape, const std::filesystem::path& directory) {
   const DrapeSummary s = summarise(mesh, card, drape);
-  const FlatPattern pattern = flat_pattern(scene, mesh, drape);
-  write_grid(mesh, drape, directory / "drape.vtu");
-  write_text_whole(directory / "flat_pattern.csv", flat_pattern_csv(pattern));
+  const FlatPattern pattern = flat_pattern(scene, mesh, tools, drape);
+  write_grid(mesh, drape, directory / file_name::drape);
+  write_text_whole(directory / file_name::flat_pattern, flat_pattern_csv(pattern));
   const nlohmann::json json = {{"tool", drape.tool},
                                {"seed_mm", drape.seed},
                                {"cells", s.cells},
@@ -137,7 +137,7 @@ void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const D
                                {"folds", places_json(drape.folds)},
                                {"tight", places_json(drape.tight)},
                                {"warnings", drape_warnings(mesh, card, drape)}};
-  write_text_whole(directory / "drape.json", json.dump(2) + "\n");
+  write_text_whole(directory / file_name::drape_numbers, json.dump(2) + "\n");
 }
 
 std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape) {

@@ -9,10 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "core/files/owned_files.hpp"
 #include "fabric/card/card.hpp"
 #include "mesher/drape/drape.hpp"
 
 namespace weaveform {
+
+namespace file_name {
+inline constexpr const char *drape = "drape.vtu", *flat_pattern = "flat_pattern.csv", *drape_numbers = "drape.json";
+}
+
+[[nodiscard]] inline FileNames drape_files() {
+  return {file_name::drape, file_name::flat_pattern, file_name::drape_numbers};
+}
 
 struct DrapeSummary {
   int cells = 0, cells_placed = 0, folded_cells = 0, unreachable_crossings = 0, cells_beyond_card = 0;
@@ -24,8 +33,8 @@ struct DrapeSummary {
 [[nodiscard]] DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape);
 
 // `mesh` flat. Throws FileError.
-void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const Drape& drape,
-                 const std::filesystem::path& directory);
+void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const std::vector<Tool>& tools,
+                 const Drape& drape, const std::filesystem::path& directory);
 // A few lines for people, and what the drape says against itself.
 [[nodiscard]] std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape);
 [[nodiscard]] std::vector<std::string> drape_warnings(const Mesh& mesh, const Card& card, const Drape& drape);

@@ -15,6 +15,10 @@
 
 namespace weaveform {
 
+namespace file_name {
+inline constexpr const char* summary = "summary.json";
+}
+
 struct GripSummary {
   std::string name;
   double displacement = 0.0;   // mm; along the grip's motion, at the end

@@ -8,11 +8,8 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "fabric/card/card.hpp"
 #include "mesher/exchange/gathered.hpp"
-#include "mesher/mesh/mesh_io.hpp"
-#include "mesher/scene/reader.hpp"
-#include "solver/result/result.hpp"
+#include "solver/result/result_folder.hpp"
 
 namespace weaveform {
 
@@ -78,22 +75,10 @@ FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<V
   return field;
 }
 
-FibreField read_fibre_field(const std::filesystem::path& directory) {
-  for (const char* name : {"scene.toml", "mesh.vtu", "result.pvd"})
-    if (!std::filesystem::is_regular_file(directory / name))
-      throw FileError(
-          fmt::format("{}: no such file; solve the scene into this folder first", (directory / name).string()));
-  const Scene scene = read_scene(directory / "scene.toml");
-  const Mesh mesh = read_mesh(directory / "mesh.vtu");
-  const auto frames = list_frames(directory);
-  if (frames.empty())
-    throw InputError(fmt::format("{}: lists no frame; solve again", (directory / "result.pvd").string()));
-  const auto position = read_frame_positions(frames.back().file);
-  if (static_cast<int>(position.size()) != mesh.node_count())
-    throw InputError(fmt::format("{}: {} nodes, but mesh.vtu has {}; the folder mixes two runs, solve again",
-                                 frames.back().file.string(), position.size(), mesh.node_count()));
-  FibreField field = fibre_field(mesh, scene, position);
-  field.source = fmt::format("{} at {:.6g} s", directory.string(), frames.back().time);
+FibreField read_fibre_field(ResultFolder& folder) {
+  const FrameFile& last = folder.frames().back();
+  FibreField field = fibre_field(folder.mesh(), folder.scene(), folder.positions(last));
+  field.source = fmt::format("{} at {:.6g} s", folder.directory().string(), last.time);
   return field;
 }
 

@@ -11,6 +11,7 @@
 #include "mesher/exchange/foreign_mesh.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "solver/result/fields.hpp"
+#include "solver/result/result_folder.hpp"
 
 namespace weaveform {
 
@@ -46,7 +47,7 @@ struct FibreField {
 };
 
 // From a solved folder: the last frame. Throws FileError, InputError as post_process does.
-[[nodiscard]] FibreField read_fibre_field(const std::filesystem::path& directory);
+[[nodiscard]] FibreField read_fibre_field(ResultFolder& folder);
 // The same from a mesh and positions in memory.
 [[nodiscard]] FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<Vec3>& position);
 

@@ -24,7 +24,7 @@ std::string place(const CutChord& chord) {
 
 void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings) {
   if (run.scene.tools.empty()) return;
-  const auto placed = place_tools(make_tools(run.scene, run.mesh), run.history, run.end.time);
+  const auto placed = place_tools(run.tools, run.history, run.end.time);
   const CutChord worst = worst_chord(run.mesh, run.end.position, placed);
   if (worst.ratio() <= longest) return;
   const std::string& tool = placed[worst.tool].tool.name;

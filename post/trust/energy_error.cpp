@@ -19,7 +19,8 @@ constexpr double sound_error = 0.01;  // 1; of the greatest energy
 void warn_of_energy_error(const FinishedRun& run, Warnings& warnings) {
   const double error = run.summary.statistics.energy_error;
   if (error <= sound_error) return;
-  const double chosen = automatic_duration(run.scene, run.card), duration = run.summary.statistics.duration_s;
+  const double chosen = automatic_duration(run.scene, run.card, run.extent),
+               duration = run.summary.statistics.duration_s;
   const std::string advice =
       duration < hasty_share * chosen
           ? fmt::format("load more slowly: analysis.duration is {:.3g} s, and {:.3g} s would be chosen for this scene",

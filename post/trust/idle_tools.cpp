@@ -31,7 +31,7 @@ void warn_of_idle_tools(const FinishedRun& run, Warnings& warnings) {
     if ((spec.travel == 0.0 && !pushed) || run.history.index(spec.name + ".contact_area_mm2") < 0) continue;
     const auto area = run.history.values(spec.name + ".contact_area_mm2");
     if (std::any_of(area.begin(), area.end(), [](double a) { return a > 0.0; })) continue;
-    if (placed.empty()) placed = place_tools(make_tools(run.scene, run.mesh), run.history, run.end.time);
+    if (placed.empty()) placed = place_tools(run.tools, run.history, run.end.time);
     const double at_end = gap_between(placed[t], run.end.position);
     PlacedTool start = placed[t];
     start.place = start.tool.start;

@@ -2,11 +2,13 @@
 // A border that ends a run (energy balance, torn yarns, lost contact) is an error of the solver and never gets here.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
+#include "mesher/tools/tool.hpp"
 #include "post/output/summary.hpp"
 #include "solver/result/fields.hpp"
 #include "solver/result/result.hpp"
@@ -18,6 +20,8 @@ struct FinishedRun {
   const Scene& scene;
   const Card& card;
   const Mesh& mesh;
+  const std::vector<Tool>& tools;
+  std::array<double, 2> extent;  // mm; of the flat blank, along its own axes
   const Fields& end;
   const History& history;
   const Summary& summary;

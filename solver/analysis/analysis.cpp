@@ -7,7 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
-#include "solver/analysis/interrupt.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+#include "mesher/scene/scene_copy.hpp"
+#include "solver/result/file_names.hpp"
 
 namespace weaveform {
 namespace {
@@ -24,26 +26,26 @@ int choose_threads(int wanted, int cells) {
 
 }  // namespace
 
-Analysis::Analysis(const AnalysisInput& input, std::filesystem::path directory, const SolveOptions& options)
-    : whole_(input.whole),
-      scene_(input.scene),
-      card_(input.card),
+Analysis::Analysis(const Resolved& model, const SymmetricPart* part, std::filesystem::path directory,
+                   const SolveOptions& options)
+    : model_(model),
+      whole_(model.mesh),
+      scene_(model.scene),
+      card_(model.card),
       directory_(std::move(directory)),
       options_(options),
-      team_(
-          choose_threads(options.threads, input.part != nullptr ? input.part->mesh.cells.size() : whole_.cells.size())),
-      loading_(choose_loading(scene_, card_)),
-      world_({.plies = {{.whole = whole_, .part = input.part, .card = card_, .scene = scene_}},
-              .tools = input.tools,
+      team_(choose_threads(options.threads, part != nullptr ? part->mesh.cells.size() : whole_.cells.size())),
+      loading_(choose_loading(scene_, card_, model.extent())),
+      world_({.plies = {{.whole = whole_, .part = part, .card = card_, .scene = scene_}},
+              .tools = model.tools,
               .scene = scene_,
               .loading = loading_,
               .team = team_}),
-      outputs_(scene_, world_, directory_),
+      outputs_(model, world_, directory_),
       verdict_(scene_, world_.duration()),
-      checkpoint_file_(options.checkpoint_file.empty() && !directory_.empty() ? directory_ / "checkpoint.bin"
+      checkpoint_file_(options.checkpoint_file.empty() && !directory_.empty() ? directory_ / file_name::checkpoint
                                                                               : options.checkpoint_file),
       clock_(scene_.output.checkpoint_minutes),
-      progress_("solve", options.quiet),
       started_(std::chrono::steady_clock::now()) {}
 
 SolveResult Analysis::run() {
@@ -63,7 +65,7 @@ SolveResult Analysis::run() {
     look_at_checkpoint();
   }
   outputs_.finish();
-  progress_.finish(fmt::format("{} steps", world_.steps()));
+  if (!options_.quiet && options_.progress.finish) options_.progress.finish(fmt::format("{} steps", world_.steps()));
   SolveResult result{.history = outputs_.history(), .statistics = statistics(), .position = outputs_.fields().position};
   result.statistics.finished = true;
   return result;
@@ -129,7 +131,7 @@ void Analysis::check_state() {
 void Analysis::open_outputs() {
   if (!outputs_.due(world_.time())) return;
   check_state();
-  if (outputs_.look(world_)) write_statistics(statistics(), directory_ / "solve.json");
+  if (outputs_.look(world_)) write_statistics(statistics(), directory_ / file_name::statistics);
   if (!outputs_.row_open()) return;
   world_.look_at_stored_energy();
   verdict_.count_folded(outputs_.fields());
@@ -156,8 +158,8 @@ bool Analysis::stops_here() const {
 }
 
 void Analysis::look_at_checkpoint() {
-  const bool stop =
-      InterruptWatch::requested() || (options_.stop_at_step > 0 && world_.steps() >= options_.stop_at_step);
+  const bool stop = (options_.stop_requested && options_.stop_requested()) ||
+                    (options_.stop_at_step > 0 && world_.steps() >= options_.stop_at_step);
   const bool due = world_.steps() % clock_look == 0 && clock_.due();
   // what follows a perturbed run, the same without, takes as long again
   const bool before_clean_run = scene_.analysis.perturbation > 0.0 && world_.finished();
@@ -176,7 +178,7 @@ void Analysis::leave_checkpoint() {
     fail(member + " is not a number; " + what_to_do());
   outputs_.settle();
   if (clock_.count() == 0 && !directory_.empty())
-    for (const char* name : {"scene.toml", "mesh.vtu"}) settle_on_disk(directory_ / name);
+    for (const char* name : {file_name::scene, file_name::mesh}) settle_on_disk(directory_ / name);
   write_text_whole(checkpoint_file_, checkpoint_bytes(identity(), all_state()), Durability::power);
   clock_.note_written(begin);
 }
@@ -189,14 +191,14 @@ const Identity& Analysis::identity() {
 
 void Analysis::report_progress() {
   const double fraction = world_.time() / world_.duration();
-  if (!progress_.due(fraction)) return;
+  if (options_.quiet || !options_.progress.is_due(fraction)) return;
   const double seconds = wall();
   const double rate =
       seconds > 0.0 ? static_cast<double>(world_.steps()) * world_.ply(0).mesh().cells.size() / seconds : 0.0;
   const EnergyBalance& balance = world_.balance();
-  progress_.update(fraction,
-                   fmt::format("{:.1f} M cell-steps/s  step {}  kinetic/internal {:.2g}", 1e-6 * rate, world_.steps(),
-                               balance.internal > 0.0 ? balance.kinetic / balance.internal : 0.0));
+  options_.progress.update(
+      fraction, fmt::format("{:.1f} M cell-steps/s  step {}  kinetic/internal {:.2g}", 1e-6 * rate, world_.steps(),
+                            balance.internal > 0.0 ? balance.kinetic / balance.internal : 0.0));
 }
 
 double Analysis::wall() const {
@@ -213,12 +215,13 @@ double Analysis::contact_wall() const {
 std::string Analysis::what_to_do() const {
   if (is_hasty())
     return fmt::format("load it more slowly: the duration is {:.3g} s, and {:.3g} s would be chosen for this scene",
-                       world_.duration(), automatic_duration(scene_, card_));
+                       world_.duration(), automatic_duration(scene_, card_, model_.extent()));
   return fmt::format("lower analysis.step_factor (now {})", scene_.analysis.step_factor);
 }
 
 bool Analysis::is_hasty() const {
-  return scene_.analysis.step_factor <= 1.0 && world_.duration() < hasty_share * automatic_duration(scene_, card_);
+  return scene_.analysis.step_factor <= 1.0 &&
+         world_.duration() < hasty_share * automatic_duration(scene_, card_, model_.extent());
 }
 
 void Analysis::fail(const std::string& what) const {

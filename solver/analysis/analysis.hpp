@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/log/progress.hpp"
+#include "mesher/resolve/resolved.hpp"
 #include "solver/analysis/checkpoint.hpp"
 #include "solver/analysis/checkpoint_clock.hpp"
 #include "solver/analysis/options.hpp"
@@ -15,19 +15,12 @@
 
 namespace weaveform {
 
-// What an analysis is of; all must outlive it. `part` of the whole mesh is solved when given; results are those of the
-// whole all the same. `tools` are those of the scene, in its order.
-struct AnalysisInput {
-  const Mesh& whole;
-  const SymmetricPart* part = nullptr;
-  const Scene& scene;
-  const Card& card;
-  std::vector<Tool> tools;
-};
-
 class Analysis {
 public:
-  Analysis(const AnalysisInput& input, std::filesystem::path directory, const SolveOptions& options);
+  // Of model.mesh, the whole. `part` of it is solved when given; results are those of the whole all the same. Both must
+  // outlive the analysis.
+  Analysis(const Resolved& model, const SymmetricPart* part, std::filesystem::path directory,
+           const SolveOptions& options);
   SolveResult run();
 
 private:
@@ -56,6 +49,7 @@ private:
   [[nodiscard]] bool is_hasty() const;
   [[noreturn]] void fail(const std::string& what) const;
 
+  const Resolved& model_;
   const Mesh& whole_;
   const Scene& scene_;
   const Card& card_;
@@ -68,8 +62,7 @@ private:
   Verdict verdict_;
   std::filesystem::path checkpoint_file_;  // empty: none is left
   CheckpointClock clock_;
-  Identity identity_;  // found when first asked for
-  Progress progress_;
+  Identity identity_;                                     // found when first asked for
   std::int64_t checked_step_ = -1;                        // the last whose state was looked at
   double wall_before_ = 0.0, contact_wall_before_ = 0.0;  // s; of the runs before this one was resumed
   std::chrono::steady_clock::time_point started_;

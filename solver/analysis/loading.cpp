@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/outline/blank_outline.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/constraint/grips.hpp"
 #include "solver/contact/tool_motion.hpp"
@@ -41,15 +40,14 @@ double slowest_sway(const Scene& scene, const Card& card, double length) {
 
 }  // namespace
 
-double automatic_duration(const Scene& scene, const Card& card) {
+double automatic_duration(const Scene& scene, const Card& card, const std::array<double, 2>& extent) {
   Scene free = scene;
   free.analysis.duration.reset();
   free.analysis.loading_speed.reset();
-  return choose_loading(free, card).duration;
+  return choose_loading(free, card, extent).duration;
 }
 
-Loading choose_loading(const Scene& scene, const Card& card) {
-  const auto extent = blank_extent(scene);
+Loading choose_loading(const Scene& scene, const Card& card, const std::array<double, 2>& extent) {
   const double length = std::max(extent[0], extent[1]);
   const double shear_stiffness = least_shear_tangent(card.shear) * card.thickness;  // N/mm
   Loading loading;

@@ -16,6 +16,8 @@
 // which leaves (1 + 12) exp(-12) = 1e-4 of the way.
 #pragma once
 
+#include <array>
+
 #include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 
@@ -37,8 +39,9 @@ struct Loading {
 inline constexpr double hasty_share = 0.2;
 
 // s; the duration of choose_loading when the scene names neither duration nor speed.
-[[nodiscard]] double automatic_duration(const Scene& scene, const Card& card);
+// `extent` (mm) is the blank's along its own axes (mesher/outline/blank_outline.hpp).
+[[nodiscard]] double automatic_duration(const Scene& scene, const Card& card, const std::array<double, 2>& extent);
 
-[[nodiscard]] Loading choose_loading(const Scene& scene, const Card& card);
+[[nodiscard]] Loading choose_loading(const Scene& scene, const Card& card, const std::array<double, 2>& extent);
 
 }  // namespace weaveform

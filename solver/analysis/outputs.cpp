@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/result/file_names.hpp"
+
 namespace weaveform {
 namespace {
 
@@ -18,18 +20,19 @@ const std::vector<ToolReading>& readings(const World& world) {
 
 }  // namespace
 
-Outputs::Outputs(const Scene& scene, const World& world, std::filesystem::path directory)
-    : scene_(scene),
+Outputs::Outputs(const Resolved& model, const World& world, std::filesystem::path directory)
+    : scene_(model.scene),
       ply_(world.ply(0)),
       directory_(std::move(directory)),
       plane_(blank_plane(ply_.whole())),
-      recorder_(ply_.holds().grips(), make_probes(scene, ply_.whole()), world.duration(), scene.output.history),
-      row_schedule_(world.duration(), scene.output.history),
-      frame_schedule_(world.duration(), scene.output.frames) {
-  if (scene.frame)
-    recorder_.evaluate_frame({scene.frame->length, scene.blank.size[0]},
+      recorder_(ply_.holds().grips(), make_probes(scene_, ply_.whole(), model.extent()[0]), world.duration(),
+                scene_.output.history),
+      row_schedule_(world.duration(), scene_.output.history),
+      frame_schedule_(world.duration(), scene_.output.frames) {
+  if (scene_.frame)
+    recorder_.evaluate_frame({scene_.frame->length, scene_.blank.size[0]},
                              static_cast<int>(ply_.holds().grips().size()) - 1);
-  if (!scene.tools.empty()) recorder_.record_tools(scene.tools);
+  if (!scene_.tools.empty()) recorder_.record_tools(scene_.tools);
 }
 
 // The frames and the index follow the mesh's number of nodes; files of the run before stay until the checkpoint is
@@ -38,7 +41,7 @@ void Outputs::open_files() {
   if (directory_.empty()) return;
   frames_ = std::make_unique<FrameWriter>(directory_, ply_.whole(), frame_times_, tool_names(scene_));
   history_file_ =
-      std::make_unique<HistoryFile>(directory_ / "history.csv", recorder_.history(), recorder_.closed_rows());
+      std::make_unique<HistoryFile>(directory_ / file_name::history, recorder_.history(), recorder_.closed_rows());
 }
 
 ContactState Outputs::whole_contact_state(const World& world) const {
@@ -96,7 +99,7 @@ void Outputs::finish() {
 }
 
 void Outputs::write_history_file() const {
-  if (!directory_.empty()) write_history(recorder_.history(), directory_ / "history.csv");
+  if (!directory_.empty()) write_history(recorder_.history(), directory_ / file_name::history);
 }
 
 void Outputs::settle() {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/resolve/resolved.hpp"
 #include "solver/analysis/recorder.hpp"
 #include "solver/analysis/schedule.hpp"
 #include "solver/analysis/world.hpp"
@@ -18,7 +19,7 @@ namespace weaveform {
 class Outputs {
 public:
   // Of the first ply of the world. An empty `directory` writes nothing.
-  Outputs(const Scene& scene, const World& world, std::filesystem::path directory);
+  Outputs(const Resolved& model, const World& world, std::filesystem::path directory);
 
   // Begins the files, or goes on with them after an archive was read.
   void open_files();

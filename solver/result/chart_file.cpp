@@ -2,20 +2,25 @@
 
 #include <functional>
 #include <mutex>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
-#include "core/log/say.hpp"
 
 namespace weaveform {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Even of a quiet run: files that were asked for are missing.
-void say_once(const std::string& reason) {
-  static std::once_flag said;
-  std::call_once(said, [&] { say("warning: " + reason + "; the charts are left out"); });
+// None at first.
+std::function<void(const std::string&)>& hearer() {
+  static std::function<void(const std::string&)> hears;
+  return hears;
+}
+
+void tell_once(const std::string& reason) {
+  static std::once_flag told;
+  if (hearer()) std::call_once(told, [&] { hearer()(reason + "; the charts are left out"); });
 }
 
 void write_drawing(const fs::path& file, const std::function<std::string()>& draw) {
@@ -24,12 +29,16 @@ void write_drawing(const fs::path& file, const std::function<std::string()>& dra
     drawing = draw();
   } catch (const FileError& error) {
     fs::remove(file);
-    return say_once(error.what());
+    return tell_once(error.what());
   }
   write_text_whole(file, drawing);
 }
 
 }  // namespace
+
+void hear_of_missing_charts(std::function<void(const std::string&)> hears) {
+  hearer() = std::move(hears);
+}
 
 void write_chart(const fs::path& file, const Chart& chart) {
   write_drawing(file, [&] { return to_svg(chart); });

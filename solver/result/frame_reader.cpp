@@ -19,6 +19,7 @@
 #include "core/guard/guarded.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
+#include "solver/result/file_names.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform {
@@ -88,7 +89,7 @@ fs::path frame_path(const fs::path& directory, const std::string& name, const fs
 }  // namespace
 
 std::vector<FrameFile> list_frames(const fs::path& directory) {
-  const fs::path file = directory / "result.pvd";
+  const fs::path file = directory / file_name::index;
   const std::string content = read_text_file(file);
   const Guard guard{.file = file.string(),
                     .what = "VTK's XML parser",

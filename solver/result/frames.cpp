@@ -29,6 +29,7 @@
 #include "core/files/files.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "solver/result/beside.hpp"
+#include "solver/result/file_names.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform {
@@ -40,7 +41,7 @@ namespace fs = std::filesystem;
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 std::string frame_name(std::size_t number) {
-  return fmt::format("frames/frame_{:04d}.vtu", number);
+  return fmt::format("{}/frame_{:04d}.vtu", file_name::frames, number);
 }
 
 template <class Array>
@@ -237,8 +238,9 @@ FrameWriter::FrameWriter(fs::path directory, const Mesh& mesh, std::vector<doubl
       mesh_(mesh),
       times_(std::move(kept)),
       grid_(std::make_unique<Grid>(mesh, tools)) {
-  if (fs::is_symlink(fs::symlink_status(directory_ / "frames")))
-    throw FileError(fmt::format("{}: is a link; remove it or choose another folder", (directory_ / "frames").string()));
+  if (fs::is_symlink(fs::symlink_status(directory_ / file_name::frames)))
+    throw FileError(
+        fmt::format("{}: is a link; remove it or choose another folder", (directory_ / file_name::frames).string()));
   for (std::size_t k = 0; k < times_.size(); ++k)
     if (!fs::is_regular_file(fs::symlink_status(directory_ / frame_name(k))))
       throw FileError(fmt::format("{}: not there, but the checkpoint counts {} frames; run again without --resume",
@@ -248,7 +250,7 @@ FrameWriter::FrameWriter(fs::path directory, const Mesh& mesh, std::vector<doubl
   for (std::size_t k = times_.size(); fs::remove(directory_ / frame_name(k), unimportant); ++k) {
   }
   if (times_.empty())
-    fs::remove(directory_ / "result.pvd", unimportant);
+    fs::remove(directory_ / file_name::index, unimportant);
   else
     write_index();
 }
@@ -266,7 +268,7 @@ void FrameWriter::write(const Fields& fields) {
 
 void FrameWriter::settle() {
   for (; settled_ < times_.size(); ++settled_) settle_on_disk(directory_ / frame_name(settled_));
-  for (const char* name : {"frames", "result.pvd"}) settle_on_disk(directory_ / name);
+  for (const char* name : {file_name::frames, file_name::index}) settle_on_disk(directory_ / name);
 }
 
 void FrameWriter::write_index() const {
@@ -277,7 +279,7 @@ void FrameWriter::write_index() const {
   for (std::size_t k = 0; k < times_.size(); ++k)
     text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times_[k], frame_name(k));
   text += "  </Collection>\n</VTKFile>\n";
-  write_text_whole(directory_ / "result.pvd", text);
+  write_text_whole(directory_ / file_name::index, text);
 }
 
 }  // namespace weaveform

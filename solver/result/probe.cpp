@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "mesher/outline/blank_outline.hpp"
 
 namespace weaveform {
 namespace {
@@ -45,7 +44,7 @@ std::array<double, 2> blank_coordinates(const BlankSpec& blank, const Vec3& worl
   return {std::cos(angle) * x + std::sin(angle) * y, -std::sin(angle) * x + std::cos(angle) * y};
 }
 
-std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh) {
+std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh, double width) {
   std::vector<std::array<double, 2>> centre(mesh.cells.size());
   for (int c = 0; c < mesh.cells.size(); ++c) {
     Vec3 sum{};
@@ -56,7 +55,7 @@ std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh) {
   }
   std::vector<Probe> probes;
   for (const auto& measure : scene.measure) {
-    const auto box = box_of(measure, blank_extent(scene)[0]);
+    const auto box = box_of(measure, width);
     Probe probe{.name = measure.name, .cell = {}, .weight = {}};
     for (int c = 0; c < mesh.cells.size(); ++c) {
       const auto [x, y] = centre[c];

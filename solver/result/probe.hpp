@@ -21,8 +21,8 @@ struct ShearStatistics {
 };
 
 // Cells whose centre lies in the measure's box in the initial configuration (blank frame). Throws InputError when there
-// are none.
-[[nodiscard]] std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh);
+// are none. `width` (mm) of the blank along its own x, which relative boxes are in units of.
+[[nodiscard]] std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh, double width);
 [[nodiscard]] ShearStatistics shear_statistics(const Probe& probe, const Fields& fields);
 
 // Blank-frame coordinates (mm, centre = origin) of a world point on the flat blank.

@@ -74,7 +74,7 @@ void blank(std::string_view bytes) {
     if (read.blank.shape == BlankShape::file) return;
     read.tools.clear();
     read.drape.reset();
-    const ExpectedSize size = expected_size(read, plain_card());
+    const ExpectedSize size = expected_size(read.blank, plain_card(), read_blank_outline(read));
     if (!(size.cells < most_cells && size.crossings < most_crossings)) return;
     const Mesh mesh = build_flat_mesh(read, plain_card());
     hold(what_is_wrong(mesh).empty());

@@ -13,7 +13,9 @@ inline Warnings ask(Border border, const Scene& scene, const Card& card, const M
   Summary summary;
   summary.statistics = result.statistics;
   Warnings said;
-  border({scene, card, mesh, end, result.history, summary}, said);
+  const std::vector<Tool> tools = make_tools(scene, mesh);
+  border({scene, card, mesh, tools, blank_extent(scene.blank, read_blank_outline(scene)), end, result.history, summary},
+         said);
   return said;
 }
 

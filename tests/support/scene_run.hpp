@@ -26,6 +26,7 @@ struct Solved {
         mesh(build_mesh(scene, card)),
         result(solve(mesh, scene, card, {}, {.threads = 1, .resume = false, .quiet = true})) {}
 
+  [[nodiscard]] std::array<double, 2> extent() const { return blank_extent(scene.blank, read_blank_outline(scene)); }
   [[nodiscard]] double last(const std::string& column) const { return result.history.values(column).back(); }
 };
 

@@ -42,7 +42,7 @@ private:
       meshes_.push_back(build_mesh(scene, cards_.back()));
       setup.plies.push_back({.whole = meshes_.back(), .card = cards_.back(), .scene = scene});
     }
-    setup.loading = choose_loading(scenes_.front(), cards_.front());
+    setup.loading = choose_loading(scenes_.front(), cards_.front(), scenes_.front().blank.size);
     if (!scenes_.front().tools.empty()) setup.tools = make_tools(scenes_.front(), meshes_.front());
     return setup;
   }

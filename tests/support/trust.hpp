@@ -16,9 +16,10 @@ inline std::vector<std::string> warnings_of(const Solved& run) {
   const Fields end = compute_fields(run.mesh, run.card, run.scene.model, time, run.result.position);
   Summary summary;
   summary.statistics = run.result.statistics;
-  summary.forming = evaluate_forming(run.scene, run.mesh, end, run.result.history);
+  const std::vector<Tool> tools = make_tools(run.scene, run.mesh);
+  summary.forming = evaluate_forming(run.scene, run.mesh, tools, end, run.result.history);
   summary.folds = find_folds(run.scene, run.mesh, end.position);
-  return warnings({run.scene, run.card, run.mesh, end, run.result.history, summary});
+  return warnings({run.scene, run.card, run.mesh, tools, run.extent(), end, run.result.history, summary});
 }
 
 // Whether one of the lines holds `words`.

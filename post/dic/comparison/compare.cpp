@@ -174,12 +174,6 @@ LoadCurve overlay(const Simulation& simulation, const MeasuredLoad& measured) {
   return curve;
 }
 
-void remove_old_stages(const fs::path& directory) {
-  if (!fs::is_directory(directory)) return;
-  for (const auto& entry : fs::directory_iterator(directory))
-    if (entry.path().filename().string().starts_with("stage_")) fs::remove(entry.path());
-}
-
 class Run {
 public:
   Run(const fs::path& result, const std::vector<std::string>& measurement, const Settings& settings,
@@ -209,7 +203,7 @@ public:
                                     settings_.registration, comparison_.instrument.facet_size);
       last_ = anchor.index;
     }
-    remove_old_stages(output_ / "stages");
+    remove_files(output_, comparison_files());
     std::size_t k = 0;
     for (const auto& file : files_)
       for (const MeasuredStage& stage : read_stages(file, settings_.measurement)) one_stage(k++, stage);
@@ -270,7 +264,7 @@ private:
     if (which == FieldsWritten::none || (which == FieldsWritten::last && k != last_)) return;
     // A diagonal of the grid with one point missing.
     if (triangles_.empty()) triangles_ = triangulate(points_->point, 2.3 * comparison_.instrument.step);
-    const fs::path stem = output_ / "stages" / fmt::format("stage_{:03}", k + 1);
+    const fs::path stem = output_ / file_name::stage_fields / fmt::format("stage_{:03}", k + 1);
     write_points_csv(fields, comparison_.coverage, stem.string() + ".csv");
     write_points_vtu(fields, triangles_, comparison_.coverage, stem.string() + ".vtu");
     write_isolines(fields, triangles_, settings_.comparison.contour_step, stem.string() + "_isolines.vtp");
@@ -290,6 +284,12 @@ private:
 };
 
 }  // namespace
+
+FileNames comparison_files() {
+  return joined({{file_name::comparison, file_name::stage_table, file_name::line_table, file_name::load_table,
+                  file_name::load_chart, file_name::angle_chart},
+                 below(file_name::stage_fields, {"stage_#.csv", "stage_#.vtu", "stage_#_isolines.vtp"})});
+}
 
 Questions questions_of(const std::vector<std::string>& measurement, const Settings& settings) {
   return open_questions(last_stage(measurement_files(measurement), settings), settings);

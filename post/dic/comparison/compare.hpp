@@ -6,10 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "core/files/owned_files.hpp"
 #include "post/dic/comparison/statistics.hpp"
 #include "post/dic/settings/settings.hpp"
 
 namespace weaveform::dic {
+
+namespace file_name {
+inline constexpr const char *comparison = "comparison.json", *stage_table = "stages.csv", *line_table = "lines.csv";
+inline constexpr const char *load_table = "loads.csv", *load_chart = "loads.svg", *angle_chart = "angles.svg";
+inline constexpr const char* stage_fields = "stages";            // the folder of stage_NNN.csv, .vtu and _isolines.vtp
+inline constexpr const char* default_comparison = "comparison";  // the folder below the result's
+}  // namespace file_name
+
+[[nodiscard]] FileNames comparison_files();
 
 // A profile along a line of the settings, and how wide the step between its ends is (10 to 90 %, docs/dic.md); not a
 // number where the fields do not reach or the ends do not differ.

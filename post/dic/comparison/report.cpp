@@ -250,16 +250,16 @@ std::string verdict_table(const Comparison& c) {
 }
 
 void write_report(const Comparison& c, const fs::path& output) {
-  write_text_whole(output / "stages.csv", stages_csv(c));
-  if (!c.stage.front().line.empty()) write_text_whole(output / "lines.csv", lines_csv(c));
+  write_text_whole(output / file_name::stage_table, stages_csv(c));
+  if (!c.stage.front().line.empty()) write_text_whole(output / file_name::line_table, lines_csv(c));
   if (c.load) {
-    write_text_whole(output / "loads.csv", loads_csv(*c.load));
-    write_chart(output / "loads.svg", load_chart(c));
+    write_text_whole(output / file_name::load_table, loads_csv(*c.load));
+    write_chart(output / file_name::load_chart, load_chart(c));
   }
-  write_chart(output / "angles.svg", angle_chart(c));
+  write_chart(output / file_name::angle_chart, angle_chart(c));
   // Names from headers may be in any encoding; what is not UTF-8 becomes a replacement character.
   const std::string text = comparison_json(c).dump(2, ' ', false, Json::error_handler_t::replace);
-  write_text_whole(output / "comparison.json", text + "\n");
+  write_text_whole(output / file_name::comparison, text + "\n");
 }
 
 }  // namespace weaveform::dic

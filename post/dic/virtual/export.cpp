@@ -259,13 +259,11 @@ VirtualMeasurement export_virtual(const fs::path& result, MeasurementFormat form
   measurement.points = grid.measured.size();
   std::vector<double> travel;
   std::string loads = "displacement_mm,force_N\n";
-  if (fs::is_directory(output / "stages"))
-    for (const auto& entry : fs::directory_iterator(output / "stages"))
-      if (entry.path().filename().string().starts_with("stage_")) fs::remove(entry.path());
+  remove_files(output, virtual_files());
   for (std::size_t k = 1; k <= count; ++k) {
     const SimulatedState state = simulation.at_frame((k * last + count - 1) / count);
     const VirtualStage stage = make_stage(grid, state, spec, static_cast<int>(k));
-    measurement.files.push_back(output / "stages" / fmt::format("stage_{:03}.txt", k));
+    measurement.files.push_back(output / file_name::stages / fmt::format("stage_{:03}.txt", k));
     write_text_whole(measurement.files.back(), format == MeasurementFormat::aramis
                                                    ? aramis_text(grid, stage, camera, spec.decimal_comma)
                                                    : dice_text(grid, stage, camera, spec.delimiter.front()));
@@ -273,8 +271,8 @@ VirtualMeasurement export_virtual(const fs::path& result, MeasurementFormat form
   }
   for (std::size_t i = 0; i < simulation.travel().size(); ++i)
     loads += fmt::format("{},{}\n", simulation.travel()[i], simulation.force()[i]);
-  write_text_whole(output / "loads.csv", loads);
-  measurement.settings = output / "settings.toml";
+  write_text_whole(output / file_name::loads, loads);
+  measurement.settings = output / file_name::settings;
   write_text_whole(measurement.settings, settings_text(format, settings, camera, travel));
   return measurement;
 }

@@ -5,9 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "core/files/owned_files.hpp"
 #include "post/dic/settings/settings.hpp"
 
 namespace weaveform::dic {
+
+namespace file_name {
+inline constexpr const char *stages = "stages", *loads = "loads.csv", *settings = "settings.toml";
+inline constexpr const char* default_virtual = "virtual";  // the folder below the result's
+}  // namespace file_name
+
+[[nodiscard]] inline FileNames virtual_files() {
+  return {std::string(file_name::stages) + "/stage_#.txt", file_name::loads, file_name::settings};
+}
 
 struct VirtualMeasurement {
   std::vector<std::filesystem::path> files;  // one for each stage

@@ -7,8 +7,6 @@
 
 #include "core/error.hpp"
 #include "core/keys/nearest_name.hpp"
-#include "mesher/mesh/mesh_io.hpp"
-#include "mesher/scene/reader.hpp"
 
 namespace weaveform::dic {
 namespace {
@@ -16,14 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* travel_ending = ".displacement_mm";
-
-const fs::path& require(const fs::path& directory) {
-  for (const char* name : {"scene.toml", "mesh.vtu", "result.pvd", "history.csv"})
-    if (!fs::is_regular_file(directory / name))
-      throw FileError(
-          fmt::format("{}: no such file; solve the scene into this folder first", (directory / name).string()));
-  return directory;
-}
 
 // Those whose travel changes during the run.
 std::string moving_grip(const History& history, const std::string& asked, const fs::path& directory) {
@@ -81,16 +71,16 @@ std::vector<double> made_monotonic(const std::vector<double>& y) {
 }
 
 Simulation::Simulation(const fs::path& directory, const std::string& grip)
-    : directory_(require(directory)),
-      scene_(read_scene(directory / "scene.toml")),
-      card_(load_card(scene_.fabric.material, scene_.file)),
-      mesh_(read_mesh(directory / "mesh.vtu")),
-      history_(read_history(directory / "history.csv")),
-      frame_(list_frames(directory)),
+    : folder_(directory),
+      scene_(folder_.scene()),
+      card_(folder_.card()),
+      mesh_(folder_.mesh()),
+      history_(folder_.history()),
+      frame_(folder_.frames()),
       grip_(moving_grip(history_, grip, directory)),
       flat_(mesh_, scene_.blank) {
   if (frame_.size() < 2 || history_.row.empty())
-    throw InputError(fmt::format("{}: lists fewer than two frames; solve again", (directory / "result.pvd").string()));
+    throw InputError(fmt::format("{}: has fewer than two frames; solve again", directory.string()));
   time_ = history_.values("time_s");
   travel_ = history_.values(grip_ + travel_ending);
   force_ = history_.values(grip_ + ".force_N");
@@ -101,7 +91,7 @@ SimulatedState Simulation::state(const std::vector<Vec3>& world, double time, do
   if (static_cast<int>(world.size()) != mesh_.node_count())
     throw InputError(
         fmt::format("{}: a frame has {} nodes, but mesh.vtu has {}; the folder mixes two runs, solve again",
-                    directory_.string(), world.size(), mesh_.node_count()));
+                    folder_.directory().string(), world.size(), mesh_.node_count()));
   SimulatedState result;
   result.time = time;
   result.travel = travel;

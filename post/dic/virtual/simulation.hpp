@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "fabric/card/card.hpp"
 #include "post/dic/virtual/flat_mesh.hpp"
-#include "solver/result/result.hpp"
+#include "solver/result/result_folder.hpp"
 
 namespace weaveform::dic {
 
@@ -48,12 +47,12 @@ public:
 private:
   [[nodiscard]] SimulatedState state(const std::vector<Vec3>& world, double time, double travel) const;
 
-  std::filesystem::path directory_;
-  Scene scene_;
-  Card card_;
-  Mesh mesh_;
-  History history_;
-  std::vector<FrameFile> frame_;
+  ResultFolder folder_;
+  const Scene& scene_;
+  const Card& card_;
+  const Mesh& mesh_;
+  const History& history_;
+  const std::vector<FrameFile>& frame_;
   std::string grip_;
   std::vector<double> time_, travel_, force_;  // of the history
   std::vector<double> frame_travel_;

@@ -52,7 +52,8 @@ protected:
 };
 
 TEST_F(PostProcess, IdealRunMeetsTheIdealInEveryZone) {
-  const std::string table = post_process(dir());
+  ResultFolder folder(dir());
+  const std::string table = post_process(folder).table;
   std::ifstream stream(dir() / "summary.json");
   const nlohmann::json json = nlohmann::json::parse(stream);
   // The travel has ten digits in history.csv, hence 1e-7 deg.
@@ -65,7 +66,8 @@ TEST_F(PostProcess, IdealRunMeetsTheIdealInEveryZone) {
 }
 
 TEST_F(PostProcess, ContoursLieBetweenTheZonesAtMultiplesOfTheStep) {
-  (void)post_process(dir());
+  ResultFolder folder(dir());
+  (void)post_process(folder);
   std::set<double> levels;
   for (const Isoline& line : read_contours(dir() / "contours.vtp")) levels.insert(line.level);
   std::set<double> expected;
@@ -74,15 +76,16 @@ TEST_F(PostProcess, ContoursLieBetweenTheZonesAtMultiplesOfTheStep) {
 }
 
 TEST_F(PostProcess, RunAgainGivesTheSameFiles) {
-  const std::string first = post_process(dir());
-  EXPECT_EQ(post_process(dir()), first);
+  ResultFolder folder(dir()), again(dir());
+  EXPECT_EQ(post_process(folder).table, post_process(again).table);
 }
 
 TEST_F(PostProcess, MissingFileIsNamed) {
   for (const char* name : {"history.csv", "solve.json", "result.pvd", "mesh.vtu", "scene.toml"}) {
     std::filesystem::rename(dir() / name, dir() / "elsewhere");
     try {
-      (void)post_process(dir());
+      ResultFolder folder(dir());
+      (void)post_process(folder);
       FAIL() << "no error without " << name;
     } catch (const FileError& error) {
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
@@ -93,7 +96,8 @@ TEST_F(PostProcess, MissingFileIsNamed) {
 
 TEST_F(PostProcess, FrameOfAnotherMeshIsRefused) {
   write_mesh(test::lattice(3, 3, 5.0), dir() / "mesh.vtu");
-  EXPECT_THROW((void)post_process(dir()), InputError);
+  ResultFolder folder(dir());
+  EXPECT_THROW((void)post_process(folder), InputError);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct Draped {
   explicit Draped(const std::string& text, const std::vector<std::string>& overrides = {})
       : scene(read_scene_text(text, "s.toml", overrides)),
         mesh(build_flat_mesh(scene, load_card(scene.fabric.material))),
-        drape(drape_blank(scene, mesh)) {}
+        drape(drape_blank(scene, mesh, make_tools(scene, mesh))) {}
 };
 
 std::string complaint(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -379,7 +379,7 @@ TEST(Drape, TheFlatPatternOfAPartIsTheBlankCutAtItsBorder) {
   const Draped d(on_plate(file, 30.0));
   EXPECT_FALSE(d.drape.unreachable.empty());
   expect_in("border or a hole", d.drape.unreachable.front().what);
-  const FlatPattern pattern = flat_pattern(d.scene, d.mesh, d.drape);
+  const FlatPattern pattern = flat_pattern(d.scene, d.mesh, make_tools(d.scene, d.mesh), d.drape);
   ASSERT_EQ(pattern.size(), 1U);
   // the plate is flat, so the pattern is the plate; every point lies on its border, corners are cut between two yarns
   for (const auto& p : pattern[0]) EXPECT_NEAR(std::max(std::abs(p[0]), std::abs(p[1])), 60.0, 1e-3);
@@ -400,7 +400,7 @@ TEST(Drape, AHoleIsReportedByPlace) {
 
 TEST(Drape, WholeBlanksHaveTheirOwnAreaAsPattern) {
   const Draped d(blank + dome + drape_table);
-  const FlatPattern pattern = flat_pattern(d.scene, d.mesh, d.drape);
+  const FlatPattern pattern = flat_pattern(d.scene, d.mesh, make_tools(d.scene, d.mesh), d.drape);
   ASSERT_EQ(pattern.size(), 1U);
   // four corners are cut straight between yarn ends
   EXPECT_NEAR(pattern_area(pattern), 120.0 * 100.0, 4.0 * d.mesh.spacing[0] * d.mesh.spacing[1]);

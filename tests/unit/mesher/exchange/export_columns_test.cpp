@@ -31,7 +31,7 @@ struct Case {
         card(load_card(scene.fabric.material, scene.file)),
         mesh(build_mesh(scene, card)) {}
   [[nodiscard]] ExportedMesh written(MeshFormat format) const {
-    return export_mesh(format, scene, card, mesh, duration, "test");
+    return export_mesh(format, scene, card, mesh, make_tools(scene, mesh), duration, "test");
   }
 };
 

@@ -35,7 +35,7 @@ struct Case {
         card(load_card(scene.fabric.material, scene.file)),
         mesh(build_mesh(scene, card)) {}
   [[nodiscard]] ExportedMesh written(MeshFormat format, const ExportOptions& options = {}) const {
-    return export_mesh(format, scene, card, mesh, 0.5, "test", options);
+    return export_mesh(format, scene, card, mesh, make_tools(scene, mesh), 0.5, "test", options);
   }
   [[nodiscard]] std::vector<DeckBlock> radioss(Materials materials = Materials::built_in) const {
     return deck_blocks(written(MeshFormat::openradioss, {.materials = materials}).text, '/', '#');
@@ -323,7 +323,8 @@ TEST(ExportDecks, ToolMeshesLieOnTheirTools) {
     punch.shape = test::chosen(shape);
     if (shape == "cylinder") punch.axis = {1.0, 0.5, 0.0}, punch.position = {0.0, 0.0, 80.0};
     if (shape == "revolved") punch.profile = {{0, -10}, {40, -10, 8}, {60, 30}};
-    const auto gathered = foreign::gather(model.scene, model.card, model.mesh, 0.5, "test");
+    const auto gathered =
+        foreign::gather(model.scene, model.card, model.mesh, make_tools(model.scene, model.mesh), 0.5, "test");
     for (const auto& motion : gathered.tools) {
       const foreign::ToolMesh mesh = foreign::mesh_of_tool(gathered, motion);
       ASSERT_GT(mesh.face.size(), 10U);

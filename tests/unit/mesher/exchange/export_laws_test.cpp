@@ -35,7 +35,7 @@ struct Case {
         card(load_card(scene.fabric.material, scene.file)),
         mesh(build_mesh(scene, card)) {}
   [[nodiscard]] std::string written(MeshFormat format) const {
-    return export_mesh(format, scene, card, mesh, 0.5, "test").text;
+    return export_mesh(format, scene, card, mesh, make_tools(scene, mesh), 0.5, "test").text;
   }
   // N; of yarn element e at length L, from the solver's law and the mesh (mesher/mesh/mesh.hpp).
   [[nodiscard]] double yarn_force(int e, double length) const {
@@ -207,7 +207,8 @@ TEST(ExportLaws, OpenRadiossShearCurvesRise) {
     Case model(overrides);
     for (const bool falling : {false, true}) {
       if (falling) model.card.shear.tangent = TangentLaw({{0.0, 0.3, {0.3}}, {0.3, 0.6, {-0.1}}, {0.6, 2.0, {0.3}}});
-      const ExportedMesh file = export_mesh(MeshFormat::openradioss, model.scene, model.card, model.mesh, 0.5, "test");
+      const ExportedMesh file = export_mesh(MeshFormat::openradioss, model.scene, model.card, model.mesh,
+                                            make_tools(model.scene, model.mesh), 0.5, "test");
       for (const auto& block : deck_blocks(file.text, '/', '#')) {
         if (!block.is("/FUNCT/4")) continue;
         const DeckCurve curve = deck_curve(block.line, 1);
@@ -259,7 +260,8 @@ TEST(ExportLaws, CellSpringsStoreTheCellsEnergy) {
       auto all = overrides;
       all.push_back(fit);
       const Case model(all);
-      const auto gathered = foreign::gather(model.scene, model.card, model.mesh, 0.5, "test");
+      const auto gathered =
+          foreign::gather(model.scene, model.card, model.mesh, make_tools(model.scene, model.mesh), 0.5, "test");
       double volume = 0.0;
       for (const double area : model.mesh.cells.area) volume += area * model.mesh.thickness;
       const foreign::CellSprings springs = foreign::cell_springs(gathered);

@@ -33,7 +33,7 @@ struct Case {
         card(load_card(scene.fabric.material, scene.file)),
         mesh(build_mesh(scene, card)) {}
   [[nodiscard]] std::string written(MeshFormat format) const {
-    return export_mesh(format, scene, card, mesh, 0.5, "test").text;
+    return export_mesh(format, scene, card, mesh, make_tools(scene, mesh), 0.5, "test").text;
   }
 };
 

@@ -14,7 +14,7 @@ ExpectedSize size_of(const std::string& blank, Mesh* mesh = nullptr) {
   const Scene scene = read_scene_text("[blank]\n" + blank, "", {});
   const Card card = load_card(scene.fabric.material);
   if (mesh != nullptr) *mesh = build_mesh(scene, card);
-  return expected_size(scene, card);
+  return expected_size(scene.blank, card, read_blank_outline(scene));
 }
 
 TEST(ExpectedSize, IsThatOfTheMeshButForItsBorder) {

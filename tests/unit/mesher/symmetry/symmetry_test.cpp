@@ -19,7 +19,8 @@ using namespace test;
 
 Symmetry symmetry_of(const Scene& scene) {
   const Card card = load_card(scene.fabric.material);
-  return find_symmetry(scene, card, build_mesh(scene, card));
+  const Mesh mesh = build_mesh(scene, card);
+  return find_symmetry(scene, card, mesh, make_tools(scene, mesh));
 }
 
 GripSpec grip(const std::string& edge, double travel) {
@@ -261,7 +262,7 @@ TEST(SymmetricPart, PartsAddUpToTheWhole) {
   int halves = 0, quarters = 0;
   for (const auto& animal : lattice_zoo::zoo()) {
     const Mesh whole = build_mesh(animal.scene, animal.card);
-    const Symmetry symmetry = find_symmetry(animal.scene, animal.card, whole);
+    const Symmetry symmetry = find_symmetry(animal.scene, animal.card, whole, make_tools(animal.scene, whole));
     if (symmetry.plane.empty()) continue;
     (symmetry.plane.size() == 1 ? halves : quarters) += 1;
     const SymmetricPart part = cut_part(whole, symmetry);
@@ -282,7 +283,7 @@ TEST(SymmetricPart, UnfoldedDisplacementsAreMirrored) {
   scene.blank.phase = {0.5, 0.0};
   const Card card = load_card(scene.fabric.material);
   const Mesh whole = build_mesh(scene, card);
-  const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole));
+  const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole, make_tools(scene, whole)));
   // even in the one coordinate, odd in the other, as a field mirrored at x = 0 and y = 0 is
   const auto moved = [](const std::array<double, 3>& x) {
     return std::array<double, 3>{x[0] * (1.1 + 1e-4 * x[1] * x[1]), x[1] * (0.9 + 1e-4 * x[0] * x[0]),

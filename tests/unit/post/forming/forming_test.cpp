@@ -229,7 +229,7 @@ TEST(Forming, SceneOfARestingPlateGivesWhatThereIs) {
   const Fields fields = compute_fields(mesh, test::small_card(), {}, 1.0, mesh.nodes.position);
   const History history{{"time_s", "plate.displacement_mm", "plate.force_N"}, {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}};
   std::ofstream(folder.path() / "sphere_net.csv") << "of an earlier run";
-  const auto forming = evaluate_forming(scene, mesh, fields, history);
+  const auto forming = evaluate_forming(scene, mesh, make_tools(scene, mesh), fields, history);
   ASSERT_TRUE(forming.has_value());
   write_forming(*forming, mesh, fields, folder.path());
   for (const char* name : {"meridians.csv", "meridians.svg", "outline.csv", "outline.vtp", "wrinkles.vtp"})
@@ -242,7 +242,7 @@ TEST(Forming, SceneOfARestingPlateGivesWhatThereIs) {
   EXPECT_EQ(json["draw_in_mm"]["largest"], 0.0);
   EXPECT_EQ(forming_table(*forming).find("nan"), std::string::npos);
   scene.tools.clear();
-  EXPECT_FALSE(evaluate_forming(scene, mesh, fields, history).has_value());
+  EXPECT_FALSE(evaluate_forming(scene, mesh, make_tools(scene, mesh), fields, history).has_value());
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(MirrorPlanes, AccelerationsAndStepAreThoseOfTheWhole) {
     }
     const Card card = load_card(scene.fabric.material);
     const Mesh whole = build_mesh(scene, card);
-    const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole), c.bending);
+    const SymmetricPart part = cut_part(whole, find_symmetry(scene, card, whole, make_tools(scene, whole)), c.bending);
     const std::string name = std::to_string(c.yarn_angle) + " deg, phase " + std::to_string(c.phase[0]);
     const Moved all(whole, nullptr, scene, card), some(whole, &part, scene, card);
 

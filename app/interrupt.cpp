@@ -1,4 +1,4 @@
-#include "solver/analysis/interrupt.hpp"
+#include "app/interrupt.hpp"
 
 namespace weaveform {
 namespace {

@@ -1,9 +1,10 @@
-// The result folder as a whole: claimed, cleared of an older run, its copy of the scene. The rooms write their own
-// files.
+// What a result folder owns, as said by those who write it, and what a command may therefore write to it, clear away or
+// must leave alone. docs/results.md has the table.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/stages/output_folder.hpp"
 #include "mesher/scene/scene.hpp"
@@ -23,21 +24,13 @@ namespace weaveform {
 // Scene file, material card, outline and tools, as far as they are files.
 [[nodiscard]] std::vector<std::filesystem::path> input_files(const Scene& scene);
 
-// Removes mesh and results of an older run, in a folder that is claimed. Other files are left alone.
-void clear_folder(const std::filesystem::path& directory);
+// Removes all that older commands left of another scene, in a folder that is claimed: mesh, results, comparisons, the
+// tools that came with an imported mesh. Files that `next`, the scene to come, names are left alone, as are all that no
+// command wrote.
+void clear_folder(const std::filesystem::path& directory, const Scene& next);
 
-// Removes what solve and post write (frames, result.pvd, history.csv, ...), so that no old frame mixes with new
-// results.
+// Removes what comes of a solve (frames, history.csv, post's answers, comparisons, ...), so that nothing old stands
+// beside new results.
 void remove_results(const std::filesystem::path& directory);
-
-// DIR/scene.toml: every key with its value, under lines that name the program and the scene's own file; written whole
-// or not at all. `name` stands for that file where the scene comes by way of another.
-void write_scene_copy(const Scene& scene, const std::filesystem::path& directory, const std::string& name = "");
-
-// The file that the folder's scene was read from; "" where its copy does not say.
-[[nodiscard]] std::string scene_name_of(const std::filesystem::path& directory);
-
-// Throws FileError unless DIR/NAME is there, saying which command makes it.
-void require_file(const std::filesystem::path& directory, const std::string& name, const std::string& made_by);
 
 }  // namespace weaveform

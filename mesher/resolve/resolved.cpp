@@ -1,0 +1,38 @@
+#include "mesher/resolve/resolved.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "mesher/scene/idle.hpp"
+#include "mesher/tools/out_of_reach.hpp"
+
+namespace weaveform {
+
+std::vector<std::string> early_warnings(const Resolved& model) {
+  std::vector<std::string> lines = idle_parts(model.scene);
+  const auto add = [&](const std::vector<std::string>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
+  add(model.outline.notes);
+  for (const Tool& tool : model.tools) add(tool.notes);
+  add(tools_out_of_reach(model.scene, model.mesh, model.tools));
+  return lines;
+}
+
+std::string describe(const Resolved& model) {
+  const Mesh& mesh = model.mesh;
+  std::string line = fmt::format(
+      "mesh: {} cells, {} yarn elements, {} nodes; spacing {:.4g} mm along the warp, {:.4g} mm along the weft",
+      mesh.cells.size(), mesh.yarn_count(), mesh.node_count(), mesh.spacing[0], mesh.spacing[1]);
+  // The spacing along one family is that of the other family's lines.
+  const std::array<double, 2>& asked = model.scene.blank.coarsening;
+  const std::array<double, 2> real = {mesh.spacing[1] / model.card.yarn[0].interval,
+                                      mesh.spacing[0] / model.card.yarn[1].interval};
+  const auto differs = [&](std::size_t f) { return std::abs(real[f] - asked[f]) > 1e-9 * asked[f]; };
+  if (differs(0) || differs(1))
+    line += fmt::format("; fitted to the grips: coarsening {:.4g} (warp), {:.4g} (weft) instead of {:.4g}, {:.4g}",
+                        real[0], real[1], asked[0], asked[1]);
+  return line;
+}
+
+}  // namespace weaveform
