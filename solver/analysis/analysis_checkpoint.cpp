@@ -17,7 +17,7 @@ constexpr long clock_look = 16;  // steps between looks at the clock, which cost
 
 // Takes time, and only runs with a folder or a checkpoint need it.
 const Identity& Analysis::identity() {
-  if (identity_.empty()) identity_ = identity_of(scene_, card_, whole_, options_.program);
+  if (identity_.empty()) identity_ = identity_of(model_, options_.program);
   return identity_;
 }
 
