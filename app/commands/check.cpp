@@ -1,4 +1,5 @@
-// weaveform check SCENE: reads a scene as `run` would, down to its mesh, and prints it complete with every default.
+// weaveform check SCENE: reads a scene as `run` would, down to its mesh, and prints it complete with every default;
+// with --resolved also what the program chose where the scene leaves it to it.
 #include <memory>
 
 #include "app/commands/commands.hpp"
@@ -6,20 +7,34 @@
 #include "app/console.hpp"
 #include "app/stages/checked_model.hpp"
 #include "app/stages/claims.hpp"
+#include "app/stages/resolved_text.hpp"
 #include "app/stages/stages.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {
 
+namespace {
+
+struct CheckArguments {
+  SceneArguments scene;
+  bool resolved = false;
+};
+
+}  // namespace
+
 void add_check_command(CLI::App& program) {
   auto* command = program.add_subcommand("check", "Check a scene and print it with every default; writes nothing");
-  const auto arguments = std::make_shared<SceneArguments>();
-  add_scene_arguments(*command, *arguments);
+  const auto arguments = std::make_shared<CheckArguments>();
+  add_scene_arguments(*command, arguments->scene);
+  command->add_flag("--resolved", arguments->resolved,
+                    "Print too what the scene came to: mesh, symmetry, duration, damping, step, laws, tools, threads");
   command->callback([arguments] {
-    const Resolved model = checked_model(arguments->scene, arguments->overrides, arguments->yes, Look::with_first_step);
-    const std::string expected = require_room(model, default_result_folder(arguments->scene), arguments->yes);
+    const SceneArguments& scene = arguments->scene;
+    const Resolved model = checked_model(scene.scene, scene.overrides, scene.yes, Look::with_first_step);
+    const std::string expected = require_room(model, default_result_folder(scene.scene), scene.yes);
     log_warnings(early_warnings(model));
-    print_answer("# " + describe(model) + "\n# " + expected + "\n" + scene_to_toml(model.scene));
+    print_answer("# " + describe(model) + "\n# " + expected + "\n" + scene_to_toml(model.scene) +
+                 (arguments->resolved ? resolved_text(model) : ""));
   });
 }
 

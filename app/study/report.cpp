@@ -15,6 +15,7 @@
 #include "app/study/work_precision_report.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/version/version.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/scene/scene_copy.hpp"
 #include "solver/result/chart_file.hpp"
@@ -48,6 +49,12 @@ void check_versions(const Table& table, const fs::path& study_folder, Report& re
         read_text_file(case_files(study_folder, row.one.name).results / weaveform::file_name::scene);
     versions.insert(scene.substr(0, scene.find('\n')));
   }
+  const std::string ours = fmt::format("# {}: {}", written_mark, version_line());
+  if (versions.size() == 1 && *versions.begin() != ours)
+    report.complaints.push_back(fmt::format(
+        "these cases were run before, by another version than this one ({}): '{}'; to run them by this one, use a new "
+        "--output folder",
+        version_line(), *versions.begin()));
   if (versions.size() > 1)
     report.complaints.push_back(
         fmt::format("{} versions of weaveform have run these cases (see cases/*/scene.toml); to compare what only the "

@@ -119,34 +119,36 @@ void make_card(Identification& found, const std::string& replaced, const std::st
   found.card = read_card_text(found.card_text, "card.toml");
 }
 
-void say_assumptions(Identification& found) {
-  const auto say = [&](std::string sentence) { found.assumptions.push_back(std::move(sentence)); };
+void state_assumptions(Identification& found) {
+  const auto assume = [&](std::string sentence) { found.assumptions.push_back(std::move(sentence)); };
   const FitSpec& spec = found.spec;
   for (std::size_t f = 0; f < families.size(); ++f) {
     if (!found.yarn[f]) {
-      say(fmt::format("no tensile test stands for the {} yarn: its tension law is {}", families[f],
-                      spec.has_base ? "that of the base card " + spec.head.base : "that of the fit file"));
+      assume(fmt::format("no tensile test stands for the {} yarn: its tension law is {}", families[f],
+                         spec.has_base ? "that of the base card " + spec.head.base : "that of the fit file"));
       continue;
     }
     const double crimp = spec.yarn[f].crimp;
-    say(crimp > 0.0
+    assume(
+        crimp > 0.0
             ? fmt::format("decrimping of the {} yarn is not measured: a e^4 from the crimp ratio {} %, joining the "
                           "line of the straight yarn in value and slope at 4/3 ln(1 + crimp) (Table 2 of the "
                           "paper)",
                           families[f], crimp)
             : fmt::format("the {} yarn has no crimp: its law is the linear modulus from zero strain on", families[f]));
     if (!spec.yarn[f].compression_modulus && spec.yarn[f].compression.empty())
-      say(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", families[f]));
+      assume(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", families[f]));
   }
   if (found.card.bending != BendingCard{})
-    say("no test of bending: [bending] is that of the fit file, of the base card or of the card that was replaced");
-  if (found.shear() == nullptr) say("no test of shear: the shear law is that of the base card " + spec.head.base);
+    assume("no test of bending: [bending] is that of the fit file, of the base card or of the card that was replaced");
+  if (found.shear() == nullptr) assume("no test of shear: the shear law is that of the base card " + spec.head.base);
   if (found.shear() != nullptr)
-    say(fmt::format("the shear law is fitted to {:.1f} deg; beyond, its tangent keeps its value there",
-                    found.shear()->greatest_angle() / degree));
-  if (found.frame) say("shear frame: the angle is uniform and equal to the frame's (Eq. 12)");
+    assume(fmt::format("the shear law is fitted to {:.1f} deg; beyond, its tangent keeps its value there",
+                       found.shear()->greatest_angle() / degree));
+  if (found.frame) assume("shear frame: the angle is uniform and equal to the frame's (Eq. 12)");
   if (found.bias)
-    say("bias extension: yarns are inextensible, pinned at their crossings and straight within the three zones; loads "
+    assume(
+        "bias extension: yarns are inextensible, pinned at their crossings and straight within the three zones; loads "
         "of "
         "slip and of decrimping are taken for shear");
 }
@@ -190,7 +192,7 @@ Identification identify(const FitSpec& spec, const std::string& replaced, const 
   warn("bias extension", found.bias);
   make_card(found, replaced, file);
   compare_with_base(found);
-  say_assumptions(found);
+  state_assumptions(found);
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
 #include "mesher/tools/surface_file.hpp"
 #include "mesher/tools/triangle_report.hpp"
 
@@ -110,6 +111,10 @@ Tool ready_tool(const ToolSpec& spec, const Scene& scene, double thickness, doub
     FileSurface surface = surface_of(spec, scene, cell_edge, where);
     const std::string file = tool_path(spec.file, scene.file).string();
     tool.surface = std::make_shared<TriangleSurface>(surface.list, where + " " + file);
+    Digest digest;
+    digest.add(surface.list.point);
+    digest.add(surface.list.triangle);
+    tool.surface_digest = digest.hex();
     for (const std::string& word : surface.words) tool.notes.push_back(where + " " + file + ": " + word);
   }
   tool.direction = spec.direction ? unit(*spec.direction) : default_direction(tool);

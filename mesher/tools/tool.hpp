@@ -20,6 +20,7 @@ struct Tool {
   double fillet_radius = 0.0;  // mm; ring
   Profile profile;
   std::shared_ptr<const TriangleSurface> surface;
+  std::string surface_digest;                          // of the triangles, as they are used; "" without any
   Placement start;                                     // where it is at time 0
   std::array<double, 3> direction = {0.0, 0.0, -1.0};  // unit; of its motion
   double friction = 0.0;                               // 1

@@ -9,7 +9,6 @@
 #include "core/files/digest.hpp"
 #include "core/files/files.hpp"
 #include "mesher/scene/values.hpp"
-#include "mesher/tools/tool.hpp"
 
 namespace weaveform {
 
@@ -75,16 +74,19 @@ std::string mesh_digest(const Mesh& mesh) {
   return digest.hex();
 }
 
-Identity identity_of(const Scene& scene, const Card& card, const Mesh& mesh, const std::string& program) {
+Identity identity_of(const Resolved& model, const std::string& program) {
+  const Scene& scene = model.scene;
   Identity identity = {{"program", program}};
   const Identity values = scene_identity(scene);
   identity.insert(identity.end(), values.begin(), values.end());
-  identity.push_back({"card " + card.name, digest_of(card_to_toml(card)), true});
+  identity.push_back({"card " + model.card.name, digest_of(card_to_toml(model.card)), true});
   for (const auto& tool : scene.tools)
     if (!tool.file.empty()) identity.push_back(file_item("tool file", tool_path(tool.file, scene.file)));
+  for (const Tool& tool : model.tools)
+    if (!tool.surface_digest.empty()) identity.push_back({"surface of tool " + tool.name, tool.surface_digest, true});
   if (!scene.blank.outline.empty())
     identity.push_back(file_item("outline file", fs::path(scene.file).parent_path() / scene.blank.outline));
-  identity.push_back({"mesh", mesh_digest(mesh), true});
+  identity.push_back({"mesh", mesh_digest(model.mesh), true});
   return identity;
 }
 

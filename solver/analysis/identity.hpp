@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fabric/card/card.hpp"
-#include "mesher/mesh/mesh.hpp"
-#include "mesher/scene/scene.hpp"
+#include "mesher/resolve/resolved.hpp"
 
 namespace weaveform {
 
@@ -20,9 +18,10 @@ struct IdentityItem {
 using Identity = std::vector<IdentityItem>;
 
 // Of a run of `program` (its version line). Keys that change no bit of the history (output.contour_step,
-// output.checkpoint_minutes, analysis.energy_limit) and the places of files are left out. A tool's or outline's file
-// that is not there counts as unknown. Throws FileError.
-[[nodiscard]] Identity identity_of(const Scene& scene, const Card& card, const Mesh& mesh, const std::string& program);
+// output.checkpoint_minutes, analysis.energy_limit) and the places of files are left out. Of a tool's file the
+// triangles count as well, for it may take in others or be meshed in another way. A tool's or outline's file that is
+// not there counts as unknown. Throws FileError.
+[[nodiscard]] Identity identity_of(const Resolved& model, const std::string& program);
 
 // One line for each item that differs: "tools.punch.friction: 0.3 in the checkpoint, 0 now", "tool file punch.stl:
 // content differs". `there` names the place of the older values.

@@ -18,7 +18,9 @@ set(ROBUST_SOURCES
   robust/killed_run_test.cpp
   robust/kept_files_test.cpp
   robust/no_quiet_wrong_answer_test.cpp
+  robust/quiet_libraries_test.cpp
   robust/result_folder_test.cpp
+  robust/resume_refused_test.cpp
   robust/streams_and_limits_test.cpp
   robust/study_test.cpp
   robust/terminal_test.cpp

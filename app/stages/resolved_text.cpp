@@ -1,0 +1,105 @@
+#include "app/stages/resolved_text.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "core/keys/key_value.hpp"
+#include "core/version/version.hpp"
+#include "mesher/resolve/resolve.hpp"
+#include "solver/bending/flexure.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/element/yarn_law.hpp"
+#include "solver/ply/reach.hpp"
+#include "solver/solve.hpp"
+
+namespace weaveform {
+namespace {
+
+class Lines {
+public:
+  void table(const std::string& name) { text_ += fmt::format("\n[{}]\n", name); }
+  template <class Value>
+  void add(const std::string& key, const Value& value, const std::string& comment = "") {
+    text_ +=
+        fmt::format("{} = {}{}\n", key, toml_text(value).value_or("\"\""), comment.empty() ? "" : "  # " + comment);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+  std::string text_;
+};
+
+void add_mesh(const Resolved& model, Lines& lines) {
+  const Mesh& mesh = model.mesh;
+  lines.table("resolved.mesh");
+  lines.add("cells", mesh.cells.size());
+  lines.add("yarn_elements", mesh.yarn_count());
+  lines.add("nodes", mesh.node_count());
+  lines.add("spacing", mesh.spacing, "mm; along warp and weft");
+  lines.add("coarsening",
+            std::array{mesh.spacing[1] / model.card.yarn[0].interval, mesh.spacing[0] / model.card.yarn[1].interval},
+            "that the lattice came to, of warp and weft");
+  lines.add("thickness", mesh.thickness, "mm");
+  lines.add("extent", model.extent(), "mm; of the blank along its own axes");
+  lines.add("mass", std::accumulate(mesh.nodes.mass.begin(), mesh.nodes.mass.end(), 0.0),
+            "tonne; without mass scaling");
+}
+
+void add_analysis(const Resolved& model, const SolveStatistics& first, Lines& lines) {
+  lines.table("resolved.analysis");
+  lines.add("symmetry", model.symmetry.word(), describe(model.symmetry));
+  lines.add("cells_solved", first.cells_solved);
+  lines.add("duration", first.duration_s, "s");
+  lines.add("damping", first.damping_per_s, "1/s; proportional to mass");
+  lines.add("first_step", first.step_s, "s; set by " + first.step_set_by);
+  lines.add("threads", first.threads);
+}
+
+void add_laws(const Resolved& model, Lines& lines) {
+  const Card& card = model.card;
+  const auto laws = yarn_laws(card, model.scene.model);
+  lines.table("resolved.laws");
+  lines.add("card", card.name);
+  lines.add("yarn_tangent", std::array{laws[0].tangent(0.0), laws[1].tangent(0.0)}, "MPa; unstretched, warp and weft");
+  lines.add("stiffest_yarn_tangent",
+            std::array{laws[0].stiffest(-torn_strain, torn_strain), laws[1].stiffest(-torn_strain, torn_strain)},
+            "MPa");
+  lines.add("yarn_section", std::array{card.yarn[0].section, card.yarn[1].section}, "mm^2; of one yarn");
+  lines.add("shear_tangent", shear_tangent(card.shear, 0.0), "MPa; unsheared");
+  lines.add("shear_valid_to", card.shear.valid_to_deg, "deg");
+  const Flexure flexure = choose_flexure(card, model.scene.model);
+  lines.add("bends", flexure.bends_yarns || flexure.rotation_free || flexure.has_shell);
+}
+
+void add_tool(const Resolved& model, std::size_t number, double blank_mass, Lines& lines) {
+  const Tool& tool = model.tools[number];
+  const ToolSpec& spec = model.scene.tools[number];
+  lines.table("resolved.tools." + *toml_text(tool.name));
+  lines.add("shape", spec.shape);
+  if (tool.surface) lines.add("triangles", tool.surface->size());
+  lines.add("position", tool.start.origin, "mm; at the start");
+  lines.add("direction", tool.direction, "of its motion");
+  lines.add("offset", tool.offset, "mm; of the fabric's middle plane from its face");
+  if (spec.force)
+    lines.add("mass", spec.mass.value_or(default_tool_mass(model.scene.analysis, blank_mass)),
+              "tonne; follows a force");
+}
+
+}  // namespace
+
+std::string resolved_text(const Resolved& model) {
+  const auto first = solve(without_perturbation(model), {}, {.quiet = true, .most_steps = 1}).statistics;
+  Lines lines;
+  lines.table("resolved");
+  lines.add("program", version_line());
+  add_mesh(model, lines);
+  add_analysis(model, first, lines);
+  add_laws(model, lines);
+  double blank_mass = 0.0;  // tonne; with mass scaling
+  for (const double mass : model.mesh.nodes.mass) blank_mass += mass * model.scene.analysis.mass_scale;
+  for (std::size_t t = 0; t < model.tools.size(); ++t) add_tool(model, t, blank_mass, lines);
+  return lines.text();
+}
+
+}  // namespace weaveform
