@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 namespace {
-
-using Axis = std::array<double, 3>;
 
 // Where a key stands, or its table when the key is not given.
 const toml::node& place_of(const toml::table& table, const char* key) {
@@ -20,8 +20,8 @@ const toml::node& place_of(const toml::table& table, const char* key) {
   return node == nullptr ? table : *node;
 }
 
-bool is_zero(const Axis& a) {
-  return a == Axis{0.0, 0.0, 0.0};
+bool is_zero(const Vec3& a) {
+  return a == Vec3{0.0, 0.0, 0.0};
 }
 
 // Whether the file names a shape that there is.

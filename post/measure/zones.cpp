@@ -3,25 +3,24 @@
 #include <cmath>
 #include <limits>
 
+#include "core/vector/vector.hpp"
 #include "solver/result/probe.hpp"
 
 namespace weaveform {
 
 namespace {
 
-using Point = std::array<double, 2>;
-
 // Every node, drawn towards the cell's centre by 1e-6 so that a cell that only touches a line is not cut by it, lies in
 // the same zone as the centre; else the cell is a border cell.
-Zone zone_of_polygon(const BiasSpecimen& specimen, const std::vector<Point>& corner) {
-  Point centre = {0.0, 0.0};
-  for (const Point& p : corner)
+Zone zone_of_polygon(const BiasSpecimen& specimen, const std::vector<Vec2>& corner) {
+  Vec2 centre = {0.0, 0.0};
+  for (const Vec2& p : corner)
     for (int k = 0; k < 2; ++k) centre[k] += p[k] / static_cast<double>(corner.size());
   const int along = specimen.axis, across = 1 - along;
   const Zone zone = zone_of_point(specimen, centre[across], centre[along]);
   constexpr double shrink = 1e-6;
-  for (const Point& p : corner) {
-    const Point inner = {p[0] + shrink * (centre[0] - p[0]), p[1] + shrink * (centre[1] - p[1])};
+  for (const Vec2& p : corner) {
+    const Vec2 inner = {p[0] + shrink * (centre[0] - p[0]), p[1] + shrink * (centre[1] - p[1])};
     if (zone_of_point(specimen, inner[across], inner[along]) != zone) return Zone::border;
   }
   return zone;
@@ -41,7 +40,7 @@ Zone zone_of_point(const BiasSpecimen& specimen, double across, double along) {
 
 std::vector<Zone> zones_of_cells(const Mesh& mesh, const BlankSpec& blank, const BiasSpecimen& specimen) {
   std::vector<Zone> zone(mesh.cells.size());
-  std::vector<Point> corner;
+  std::vector<Vec2> corner;
   for (int cell = 0; cell < mesh.cells.size(); ++cell) {
     corner.clear();
     for (int entry = mesh.cells.offset[cell]; entry < mesh.cells.offset[cell + 1]; ++entry)
