@@ -64,15 +64,6 @@ std::string describe_surface(const ToolArguments& arguments, const TriangleRepor
   return text + describe_faults(report);
 }
 
-// Through another name, for Gmsh goes by its ending.
-void write_as_cad(const std::filesystem::path& file, const std::filesystem::path& output) {
-  write_whole(output, [&](const std::filesystem::path& temporary) {
-    const std::filesystem::path named = temporary.string() + output.extension().string();
-    convert_cad(file, named);
-    std::filesystem::rename(named, temporary);
-  });
-}
-
 void look_at_tool(const ToolArguments& arguments) {
   const std::filesystem::path file = arguments.file, output = arguments.output;
   FileSurface surface =
@@ -90,7 +81,7 @@ void look_at_tool(const ToolArguments& arguments) {
                                  output.string(), file.string()));
   if (choice_named<LengthUnit>(arguments.unit).value_or(LengthUnit::mm) != LengthUnit::mm)
     throw InputError(fmt::format("{}: --unit does not convert CAD; end its name in .stl", output.string()));
-  write_as_cad(file, output);
+  convert_cad(file, output);
 }
 
 }  // namespace
