@@ -10,6 +10,7 @@
 #include "solver/result/result.hpp"
 #include "tests/fuzz/rooms.hpp"
 #include "tests/fuzz/scratch_file.hpp"
+#include "tests/support/small_checkpoint.hpp"
 
 namespace weaveform::fuzz {
 namespace {
@@ -55,17 +56,8 @@ void vtu_bytes(std::string_view bytes) {
   answered([&] { static_cast<void>(mesh_of(grid, "mesh.vtu")); });
 }
 
-const Identity identity = {{"blank.size", "[1, 2]"}, {"card twintex-pw", "00ff", true}};
-const CheckpointSizes sizes = {.nodes = 3,
-                               .grips = 2,
-                               .columns = 4,
-                               .rows = 5,
-                               .frames = 3,
-                               .impulses = 2,
-                               .path_cells = 2,
-                               .fabric = 5,
-                               .term = {2, 1},
-                               .duration = 1.0};
+const Identity& identity = test::small_identity;
+const CheckpointSizes& sizes = test::small_sizes;
 
 // Of a file of this run: all before the members of Checkpoint.
 const std::string& head() {

@@ -11,21 +11,13 @@
 #include "solver/analysis/checkpoint.hpp"
 #include "solver/solve.hpp"
 #include "tests/support/run_command.hpp"
+#include "tests/support/small_checkpoint.hpp"
 
 namespace weaveform {
 namespace {
 
-const Identity identity = {{"blank.size", "[1, 2]"}, {"card twintex-pw", "00ff", true}};
-const CheckpointSizes sizes = {.nodes = 3,
-                               .grips = 2,
-                               .columns = 4,
-                               .rows = 5,
-                               .frames = 3,
-                               .impulses = 2,
-                               .path_cells = 2,
-                               .fabric = 5,
-                               .term = {2, 1},
-                               .duration = 1.0};
+const Identity& identity = test::small_identity;
+const CheckpointSizes& sizes = test::small_sizes;
 
 Checkpoint small() {
   Checkpoint c;

@@ -4,31 +4,21 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class ResultFolder : public testing::Test {
+class ResultFolder : public weaveform::test::CommandFolder {
 protected:
-  void SetUp() override { write_text(tiny_scene(), file("tiny.toml")); }
-
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] std::ptrdiff_t frames() const {
     const fs::directory_iterator entries(file("out/frames"));
     return std::distance(fs::begin(entries), fs::end(entries));
   }
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(ResultFolder, HoldsNoFrameOfAnOlderRun) {
