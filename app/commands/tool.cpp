@@ -57,7 +57,7 @@ std::string describe_surface(const ToolArguments& arguments, const TriangleRepor
       report.high[1] - report.low[1], report.high[2] - report.low[2], corner(report.low, report.extent()),
       corner(report.high, report.extent()), report.area,
       report.closed ? fmt::format("closed, volume {:.6g} mm3", report.volume)
-                    : fmt::format("open, {} border{}", report.borders.size(), report.borders.size() == 1 ? "" : "s"));
+                    : fmt::format("open, {} border{}", report.rims.size(), report.rims.size() == 1 ? "" : "s"));
   if (is_cad_file(arguments.file)) text += fmt::format("; within {:.3g} mm of the true surface", surface.chord_error);
   text += "\n";
   for (const std::string& word : surface.words) text += fmt::format("warning: {}\n", word);

@@ -52,12 +52,12 @@ void measure_box(const TriangleList& list, TriangleReport& report) {
       }
 }
 
-// Sides met once are borders, sides met twice the same way are turned.
-std::vector<std::array<int, 2>> border_sides(const TriangleList& list, TriangleReport& report) {
+// Sides met once are of a rim, sides met twice the same way are turned.
+std::vector<std::array<int, 2>> rim_sides(const TriangleList& list, TriangleReport& report) {
   std::map<std::array<int, 2>, int> side;
   for (const auto& t : list.triangle)
     for (int k = 0; k < 3; ++k) ++side[{t[k], t[(k + 1) % 3]}];
-  std::vector<std::array<int, 2>> border;
+  std::vector<std::array<int, 2>> rim;
   for (const auto& [s, count] : side) {
     const auto other = side.find({s[1], s[0]});
     if (count > 1) {
@@ -65,16 +65,16 @@ std::vector<std::array<int, 2>> border_sides(const TriangleList& list, TriangleR
       for (int c = 0; c < 3; ++c) middle[c] = 0.5 * (list.point[s[0]][c] + list.point[s[1]][c]);
       report.turned.push_back({middle, plain_length(minus(list.point[s[0]], list.point[s[1]]))});
     } else if (other == side.end()) {
-      border.push_back(s);
+      rim.push_back(s);
     }
   }
-  return border;
+  return rim;
 }
 
-// Border sides joined to loops; one that encloses little for its length is a gap.
-void join_borders(const TriangleList& list, const std::vector<std::array<int, 2>>& border, TriangleReport& report) {
+// Sides of a rim joined to loops; one that encloses little for its length is a gap.
+void join_rims(const TriangleList& list, const std::vector<std::array<int, 2>>& rim, TriangleReport& report) {
   std::map<int, std::vector<int>> next;
-  for (const auto& s : border) next[s[0]].push_back(s[1]);
+  for (const auto& s : rim) next[s[0]].push_back(s[1]);
   while (!next.empty()) {
     std::vector<int> loop = {next.begin()->first};
     for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {
@@ -95,7 +95,7 @@ void join_borders(const TriangleList& list, const std::vector<std::array<int, 2>
     }
     constexpr double slim =
         1e-3;  // of the perimeter squared; a circle has 0.08, a strip 250 times as long as wide has this
-    (plain_length(area) < slim * perimeter * perimeter ? report.gaps : report.borders)
+    (plain_length(area) < slim * perimeter * perimeter ? report.gaps : report.rims)
         .push_back({list.point[loop[0]], perimeter});
   }
 }
@@ -195,9 +195,9 @@ TriangleReport inspect(const TriangleList& list) {
     report.area += 0.5 * twice;
     if (twice <= thin * report.extent() * side) report.degenerate.push_back({centre(list, t), side});
   }
-  const auto border = border_sides(list, report);
-  report.closed = border.empty();
-  join_borders(list, border, report);
+  const auto rim = rim_sides(list, report);
+  report.closed = rim.empty();
+  join_rims(list, rim, report);
   const std::vector<int> piece = pieces_of(list, report.pieces);
   if (report.closed)
     for (const double v : signed_volumes(list, piece, report.pieces)) report.volume += v;
@@ -223,7 +223,7 @@ std::string describe_faults(const TriangleReport& report) {
 
 bool turned_inward(const TriangleList& list) {
   TriangleReport sides;
-  if (list.triangle.empty() || !border_sides(list, sides).empty()) return false;
+  if (list.triangle.empty() || !rim_sides(list, sides).empty()) return false;
   double volume = 0.0;
   const std::vector<int> one_piece(list.triangle.size(), 0);
   for (const double v : signed_volumes(list, one_piece, 1)) volume += v;

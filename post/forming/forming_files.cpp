@@ -151,7 +151,7 @@ void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
   ChartSeries on{.label = "on the sphere", .mark = ChartMark::points};
   ChartSeries off{.label = "elsewhere", .mark = ChartMark::points};
   ChartSeries net{.label = "inextensible net g(s)"};
-  const double fold = sphere_net_fold();
+  const double fold = sphere_net_end();
   for (std::size_t c = 0; c < fit.cell.size(); ++c) {
     const SphereNetCell& cell = fit.cell[c];
     table += fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{},{}\n", c, cell.u, cell.v, cell.s, cell.angle * degrees,
