@@ -26,7 +26,7 @@ Json angle(double radians) {
   return number(radians * degrees);
 }
 std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{:.7g}", value) : "";
+  return csv_number(value, 7);
 }
 
 Json motion_json(const RigidMotion& motion) {
