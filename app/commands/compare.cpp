@@ -17,9 +17,9 @@
 #include "mesher/scene/scene_copy.hpp"
 #include "post/dic/readers/measurement.hpp"
 #include "post/dic/settings/settings_form.hpp"
-#include "post/dic/virtual/border.hpp"
 #include "post/dic/virtual/export.hpp"
 #include "solver/result/file_names.hpp"
+#include "post/dic/virtual/zone_border.hpp"
 
 namespace weaveform {
 
@@ -122,7 +122,7 @@ void run_virtual(const DicArguments& arguments) {
 void run_border(const DicArguments& arguments) {
   require_result(arguments);
   const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
-  print_answer(dic::border_table(dic::border_widths(arguments.result, arguments.facets, settings)));
+  print_answer(dic::zone_border_table(dic::zone_border_widths(arguments.result, arguments.facets, settings)));
 }
 
 CLI::App* add_command(CLI::App& post, const char* name, const char* doc, DicArguments& arguments) {

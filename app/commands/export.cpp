@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -30,14 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, MeshFormat> mesh_formats = {{"abaqus", MeshFormat::abaqus},
-                                                        {"calculix", MeshFormat::calculix},
-                                                        {"lsdyna", MeshFormat::lsdyna},
-                                                        {"openradioss", MeshFormat::openradioss},
-                                                        {"gmsh", MeshFormat::gmsh}};
-const std::vector<std::string> fibre_formats = {"orientation-abaqus", "orientation-calculix", "drape-openradioss",
-                                                "csv", "vtu"};
-
 struct ExportArguments {
   std::string from;  // scene file or folder
   std::vector<std::string> overrides;
@@ -46,7 +37,7 @@ struct ExportArguments {
   std::string onto, part, unit;  // part and unit of the mesh to map onto
   std::vector<double> position, rotation;
   std::optional<double> within, group_angle;
-  std::string materials;  // "" for the format's own
+  std::string materials;  // of Materials; "" for the format's own
   bool is_static = false;
   bool force = false, quiet = false, yes = false;
 };
@@ -88,7 +79,8 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
     throw InputError(
         "--onto maps a formed result; it goes with orientation-abaqus, orientation-calculix, drape-openradioss, "
         "csv and vtu");
-  if (arguments.materials == "built-in" && format != MeshFormat::lsdyna && format != MeshFormat::openradioss &&
+  const auto materials = choice_named<Materials>(arguments.materials);
+  if (materials == Materials::built_in && format != MeshFormat::lsdyna && format != MeshFormat::openradioss &&
       format != MeshFormat::calculix)
     throw InputError(fmt::format("--materials built-in goes with lsdyna, openradioss and calculix; --format {} {}",
                                  arguments.format,
@@ -97,7 +89,7 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
   const double duration = choose_loading(model.scene, model.card, model.extent()).duration;
   ExportOptions options;
-  options.materials = arguments.materials == "user" ? Materials::user : Materials::built_in;
+  options.materials = materials.value_or(Materials::built_in);
   options.is_static = arguments.is_static;
   options.run_name = run_name_of(arguments.output);
   const ExportedMesh file =
@@ -120,7 +112,7 @@ void require_use(const ExportArguments& arguments) {
                      !arguments.rotation.empty() || arguments.within;
   if (given && arguments.onto.empty())
     throw InputError("--part, --unit, --position, --rotation and --within go with --onto FILE");
-  if (arguments.group_angle && arguments.format != "orientation-calculix")
+  if (arguments.group_angle && arguments.format != name_of(FibreFormat::orientation_calculix))
     throw InputError("--group-angle goes with --format orientation-calculix");
 }
 
@@ -136,9 +128,13 @@ Onto onto_of(const ExportArguments& arguments) {
   return onto;
 }
 
-FibreField mapped(const ExportArguments& arguments, const FibreField& field) {
+bool is_orientation(FibreFormat format) {
+  return format == FibreFormat::orientation_abaqus || format == FibreFormat::orientation_calculix;
+}
+
+FibreField mapped(const ExportArguments& arguments, FibreFormat format, const FibreField& field) {
   const ForeignMesh structure = read_structural_mesh(arguments.onto, arguments.part);
-  if (arguments.format.starts_with("orientation-"))
+  if (is_orientation(format))
     for (const auto& shell : structure.shells)
       if (structure.instance[shell.instance].turned)
         throw InputError(
@@ -156,16 +152,16 @@ void warn_of_far_shells(const ExportArguments& arguments, const FibreField& fiel
                     arguments.onto, field.far, field.element.size(), field.within, field.greatest_distance));
 }
 
-FibreText fibre_text(const ExportArguments& arguments, const FibreField& field) {
+FibreText fibre_text(const ExportArguments& arguments, FibreFormat format, const FibreField& field) {
   constexpr double group_angle = 1.0;  // deg
-  if (arguments.format == "csv") return fibre_csv(field);
-  if (arguments.format == "orientation-abaqus") return orientation_abaqus(field, version_line());
-  if (arguments.format == "orientation-calculix")
+  if (format == FibreFormat::csv) return fibre_csv(field);
+  if (format == FibreFormat::orientation_abaqus) return orientation_abaqus(field, version_line());
+  if (format == FibreFormat::orientation_calculix)
     return orientation_calculix(field, arguments.group_angle.value_or(group_angle), version_line());
   return drape_openradioss(field, version_line());
 }
 
-void export_fibres(const ExportArguments& arguments) {
+void export_fibres(const ExportArguments& arguments, FibreFormat format) {
   if (arguments.is_static || !arguments.materials.empty())
     throw InputError(
         fmt::format("--static and --materials go with the formats of a mesh, not with {}", arguments.format));
@@ -175,16 +171,16 @@ void export_fibres(const ExportArguments& arguments) {
   ResultFolder result(arguments.from);
   // in both of the formats that have no place for a comment
   require_writable(arguments.output, files_read(arguments, result.scene()), arguments.force,
-                   arguments.format == "csv"   ? "thickness_mm,fibre_volume_ratio,"
-                   : arguments.format == "vtu" ? "Name=\"fibre_volume_ratio\""
-                                               : "");
+                   format == FibreFormat::csv   ? "thickness_mm,fibre_volume_ratio,"
+                   : format == FibreFormat::vtu ? "Name=\"fibre_volume_ratio\""
+                                                : "");
   FibreField field = read_fibre_field(result);
-  if (!arguments.onto.empty()) field = mapped(arguments, field);
+  if (!arguments.onto.empty()) field = mapped(arguments, format, field);
   warn_of_far_shells(arguments, field);
-  if (arguments.format == "vtu") {
+  if (format == FibreFormat::vtu) {
     write_fibre_vtu(field, arguments.output);
   } else {
-    const FibreText file = fibre_text(arguments, field);
+    const FibreText file = fibre_text(arguments, format, field);
     write_text_whole(arguments.output, file.text);
     log_not_carried(arguments, file.not_carried);
   }
@@ -202,11 +198,8 @@ void export_fibres(const ExportArguments& arguments) {
 
 void run_export(const ExportArguments& arguments) {
   require_use(arguments);
-  const auto mesh = mesh_formats.find(arguments.format);
-  if (mesh != mesh_formats.end())
-    export_the_mesh(arguments, mesh->second);
-  else
-    export_fibres(arguments);
+  if (const auto mesh = choice_named<MeshFormat>(arguments.format)) export_the_mesh(arguments, *mesh);
+  if (const auto fibres = choice_named<FibreFormat>(arguments.format)) export_fibres(arguments, *fibres);
 }
 
 }  // namespace
@@ -217,8 +210,9 @@ void add_export_command(CLI::App& program) {
   const auto arguments = std::make_shared<ExportArguments>();
   add_trust_argument(*command);
   command->add_option("FROM", arguments->from, "Scene file, or the folder of a meshed or solved scene")->required();
-  std::vector<std::string> formats = fibre_formats;
-  for (const auto& [name, format] : mesh_formats) formats.push_back(name);
+  std::vector<std::string> formats = choice_names<FibreFormat>();
+  for (const std::string& name : choice_names<MeshFormat>()) formats.push_back(name);
+  std::sort(formats.begin() + choices_of(FibreFormat{}).size(), formats.end());
   command
       ->add_option("--format", arguments->format,
                    "Mesh: abaqus, calculix, lsdyna, openradioss, gmsh. Formed result: orientation-abaqus, "
@@ -263,7 +257,7 @@ void add_export_command(CLI::App& program) {
       ->add_option("--materials", arguments->materials,
                    "lsdyna, openradioss: built-in (what the code has itself) or user (constants of a user material)")
       ->type_name("WHOSE")
-      ->check(CLI::IsMember({"built-in", "user"}));
+      ->check(CLI::IsMember(choice_names<Materials>()));
   command->add_flag("--static", arguments->is_static, "calculix: *STATIC instead of *DYNAMIC; a plane scene");
   command
       ->add_option("--set", arguments->overrides,

@@ -57,20 +57,11 @@ std::string describe_surface(const ToolArguments& arguments, const TriangleRepor
       report.high[1] - report.low[1], report.high[2] - report.low[2], corner(report.low, report.extent()),
       corner(report.high, report.extent()), report.area,
       report.closed ? fmt::format("closed, volume {:.6g} mm3", report.volume)
-                    : fmt::format("open, {} border{}", report.borders.size(), report.borders.size() == 1 ? "" : "s"));
+                    : fmt::format("open, {} border{}", report.rims.size(), report.rims.size() == 1 ? "" : "s"));
   if (is_cad_file(arguments.file)) text += fmt::format("; within {:.3g} mm of the true surface", surface.chord_error);
   text += "\n";
   for (const std::string& word : surface.words) text += fmt::format("warning: {}\n", word);
   return text + describe_faults(report);
-}
-
-// Through another name, for Gmsh goes by its ending.
-void write_as_cad(const std::filesystem::path& file, const std::filesystem::path& output) {
-  write_whole(output, [&](const std::filesystem::path& temporary) {
-    const std::filesystem::path named = temporary.string() + output.extension().string();
-    convert_cad(file, named);
-    std::filesystem::rename(named, temporary);
-  });
 }
 
 void look_at_tool(const ToolArguments& arguments) {
@@ -90,7 +81,7 @@ void look_at_tool(const ToolArguments& arguments) {
                                  output.string(), file.string()));
   if (choice_named<LengthUnit>(arguments.unit).value_or(LengthUnit::mm) != LengthUnit::mm)
     throw InputError(fmt::format("{}: --unit does not convert CAD; end its name in .stl", output.string()));
-  write_as_cad(file, output);
+  convert_cad(file, output);
 }
 
 }  // namespace

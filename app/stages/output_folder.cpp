@@ -98,16 +98,6 @@ void make_folder(const fs::path& directory) {
                               trouble ? trouble.message() : "a file of that name is in the way"));
 }
 
-// Half-written files of runs that were killed; whoever could still be at them would hold the folder.
-void clear_temporaries(const OutputClaim& claim) {
-  std::error_code unimportant;
-  for (const auto& folder : folders_of(claim)) {
-    if (!fs::is_directory(folder)) continue;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (is_temporary_name(entry.path().filename().string())) fs::remove(entry.path(), unimportant);
-  }
-}
-
 const fs::path& prepared(const OutputClaim& claim) {
   make_folder(claim.directory);
   refuse_what_would_be_lost(claim);
@@ -117,7 +107,8 @@ const fs::path& prepared(const OutputClaim& claim) {
 }  // namespace
 
 OutputFolder::OutputFolder(const OutputClaim& claim) : lock_(prepared(claim)) {
-  if (lock_.trouble().empty()) clear_temporaries(claim);
+  // what runs that were killed left half-written
+  for (const auto& folder : folders_of(claim)) clear_temporaries(folder);
 }
 
 bool is_one_of_files(const fs::path& file, const std::vector<fs::path>& files) {

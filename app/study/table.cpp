@@ -83,20 +83,9 @@ Table collect(const Study& study, const std::vector<Case>& cases, std::vector<st
   return table;
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return field + "\"";
-}
-
 void add_field(std::string& text, const std::string& field) {
   text += ',';
   text += field;
-}
-
-std::string csv_number(double value, int digits) {
-  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "";
 }
 
 std::string to_csv(const Table& table, std::size_t measure_columns) {

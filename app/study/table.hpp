@@ -8,6 +8,7 @@
 
 #include "app/study/case_files.hpp"
 #include "app/study/cases.hpp"
+#include "core/files/csv.hpp"
 
 namespace weaveform::study {
 
@@ -51,9 +52,5 @@ struct Table {
 
 // ",FIELD" at the end of the text.
 void add_field(std::string& text, const std::string& field);
-
-// A field of a CSV file (RFC 4180), and a number with `digits`, empty when it is not finite.
-[[nodiscard]] std::string csv_field(const std::string& text);
-[[nodiscard]] std::string csv_number(double value, int digits = 10);
 
 }  // namespace weaveform::study

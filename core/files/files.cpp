@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -47,20 +48,36 @@ std::string random_part() {
   return text;
 }
 
-// The same folder as the file, so that the rename cannot cross a file system.
-fs::path new_temporary(const fs::path& file) {
-  for (int k = 0; k < tries; ++k) {
-    fs::path name = file;
-    name.replace_filename(fmt::format(".{}.{}{}", file.filename().string(), random_part(), temporary_ending));
-    const int made = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (made >= 0) {
-      close(made);
-      return name;
+// A temporary file, locked while this lives.
+class Temporary {
+public:
+  // In the same folder as the file, so that the rename cannot cross a file system.
+  explicit Temporary(const fs::path& file) {
+    for (int k = 0; k < tries; ++k) {
+      name_ = file;
+      name_.replace_filename(fmt::format(".{}.{}{}", file.filename().string(), random_part(), temporary_ending));
+      made_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      if (made_ < 0 && errno != EEXIST) throw cannot_write(file, reason_of(errno));
+      if (made_ >= 0 && locked()) return;
+      if (made_ >= 0) close(made_);
     }
-    if (errno != EEXIST) throw cannot_write(file, reason_of(errno));
+    throw cannot_write(file, "no free temporary name");
   }
-  throw cannot_write(file, "no free temporary name");
-}
+  ~Temporary() { close(made_); }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  [[nodiscard]] const fs::path& name() const { return name_; }
+
+private:
+  // False when somebody who clears the folder away has come in between.
+  [[nodiscard]] bool locked() const {
+    if (flock(made_, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;  // a file system without locks will do
+    struct stat found {};
+    return fstat(made_, &found) == 0 && found.st_nlink > 0;
+  }
+  fs::path name_;
+  int made_ = -1;
+};
 
 void settle(const fs::path& path, int flags) {
   const int opened = open(path.c_str(), flags | O_CLOEXEC);
@@ -87,6 +104,17 @@ bool is_temporary_name(const std::string& name) {
              std::string_view::npos;
 }
 
+void clear_temporaries(const fs::path& folder) {
+  std::error_code unimportant;
+  for (const auto& entry : fs::directory_iterator(folder, unimportant)) {
+    if (!is_temporary_name(entry.path().filename().string())) continue;
+    const int opened = open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (opened < 0) continue;
+    if (flock(opened, LOCK_EX | LOCK_NB) == 0) fs::remove(entry.path(), unimportant);
+    close(opened);
+  }
+}
+
 void settle_on_disk(const fs::path& file) {
   settle(file, O_RDONLY);
 }
@@ -97,7 +125,8 @@ void write_whole(const fs::path& file, const std::function<void(const fs::path& 
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), failure);
   if (failure) throw cannot_write(file, failure.message());
 
-  const fs::path temporary = new_temporary(file);
+  const Temporary made(file);
+  const fs::path& temporary = made.name();
   std::error_code unimportant;
   try {
     write(temporary);

@@ -3,7 +3,8 @@
 // Output is written whole or not at all: under a temporary name in the same folder, then renamed over the old one. A
 // reader therefore never meets half a file, and a full disk leaves the last good one in place. The temporary name
 // (.NAME.XXXXXX.partial, the X drawn at random) is made exclusively: it cannot be guessed, and never leads through a
-// link to somebody else's file.
+// link to somebody else's file. It is locked (flock) for as long as its writer lives: two programs may write the same
+// file or folder at once, the last rename wins, and whoever clears away what a killed one left spares the living.
 //
 // Input comes from regular files only: a pipe or a device may never end.
 #pragma once
@@ -21,7 +22,8 @@ enum class Durability {
   power,    // whole also when the machine stops: on the disk before the old file goes
 };
 
-// Calls write(temporary), where an empty file of that name stands ready, and renames what it left there to `file`; when
+// Calls write(temporary), where an empty file of that name stands ready, and renames what it left there to `file`; it
+// must write into that file and put no other in its place. When
 // write throws, the temporary file is removed and the exception passes on. Throws FileError when the folder cannot be
 // made or written to, or the file cannot be renamed.
 void write_whole(const std::filesystem::path& file,
@@ -38,6 +40,9 @@ void write_text_whole(const std::filesystem::path& file, std::string_view text,
 
 // Whether `name` is one that write_whole gives to a temporary file; such names stay behind when a run is killed.
 [[nodiscard]] bool is_temporary_name(const std::string& name);
+// Removes from a folder the temporary files whose writers are dead. Where the file system has no locks nothing tells
+// them from others, and they stay.
+void clear_temporaries(const std::filesystem::path& folder);
 
 // Waits until a file written earlier is on the disk; says nothing when it cannot.
 void settle_on_disk(const std::filesystem::path& file);

@@ -33,6 +33,8 @@ struct Limits {
 
 // No length in a scene is greater (a kilometre, in mm): sums and squares of what lies within keep their digits.
 inline constexpr double greatest_length = 1e6;
+// A place or a way, of either sign.
+inline constexpr Limits any_length = between(-greatest_length, greatest_length);
 
 // What the key table says about a key besides its type and default.
 struct KeyRule {

@@ -53,15 +53,33 @@ template <std::size_t N>
   return std::hypot(a[0], a[1], a[2]);
 }
 
+// The same from the sum of squares: a few times faster, a bit or two rounder, and neither for giants nor for dwarfs.
+template <std::size_t N>
+[[nodiscard]] inline double plain_length(const std::array<double, N>& a) {
+  return std::sqrt(dot(a, a));
+}
+
 template <std::size_t N>
 [[nodiscard]] inline double distance(const std::array<double, N>& a, const std::array<double, N>& b) {
   return length(minus(a, b));
 }
 
+// Each component over the same number.
+template <std::size_t N>
+[[nodiscard]] inline std::array<double, N> divided(std::array<double, N> a, double by) {
+  for (double& component : a) component /= by;
+  return a;
+}
+
 // Of length 1; a vector without length gives no numbers.
 template <std::size_t N>
 [[nodiscard]] inline std::array<double, N> unit(const std::array<double, N>& a) {
-  return scaled(a, 1.0 / length(a));
+  return divided(a, length(a));
+}
+
+// Twice the area of the triangle a, b, c: > 0 when they turn counter-clockwise.
+[[nodiscard]] inline double turn_of(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return cross(minus(b, a), minus(c, a));
 }
 
 }  // namespace weaveform

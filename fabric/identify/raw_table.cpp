@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +11,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/files/csv.hpp"
 #include "core/keys/nearest_name.hpp"
 #include "core/log/plain_text.hpp"
 #include "fabric/identify/table_layout.hpp"
@@ -27,47 +27,14 @@ struct Line {
   std::string text;
 };
 
-std::string trimmed(std::string_view text) {
-  const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return std::string(text);
-}
-
 std::vector<Line> lines_of(std::string_view text, int skip) {
   std::vector<Line> lines;
-  int number = 0;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    ++number;
-    const std::string kept = trimmed(line);
-    if (number > skip && !kept.empty() && kept.front() != '#') {
-      // Tabs at the ends are empty cells; only the line's own end goes.
-      lines.push_back({number, std::string(line.substr(0, line.find_last_not_of('\r') + 1))});
-    }
+  for (TextLines all(text); all.advance();) {
+    const std::size_t first = all.line().find_first_not_of(" \t");
+    if (all.number() > skip && first != std::string_view::npos && all.line()[first] != '#')
+      lines.push_back({all.number(), std::string(all.line())});
   }
   return lines;
-}
-
-std::vector<std::string> split(const std::string& line, char delimiter) {
-  std::vector<std::string> cells;
-  std::string cell;
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == delimiter && !quoted) {
-      cells.push_back(trimmed(cell));
-      cell.clear();
-    } else {
-      cell += c;
-    }
-  }
-  cells.push_back(trimmed(cell));
-  if (delimiter == ' ') std::erase(cells, "");  // any number of blanks is one
-  return cells;
 }
 
 // Semicolons and tabs separate nothing but cells. A comma may also be a decimal one: where blanks separate as well and
@@ -84,7 +51,7 @@ char guessed_delimiter(const std::vector<Line>& all) {
   }
   if (!share(',')) return ' ';
   const auto by_blanks = [](const Line& line) {
-    const auto cells = split(line.text, ' ');
+    const auto cells = csv_cells(line.text, ' ');
     return cells.size() > 1 &&
            std::all_of(cells.begin(), cells.end(), [](const auto& cell) { return number_in(cell, true).has_value(); });
   };
@@ -126,15 +93,11 @@ bool has_decimal_commas(const TableFormat& format, char delimiter, const RawTabl
 // "# time, force": the last comment above the rows when it has a name for every column; else none.
 std::vector<std::string> commented_heading(std::string_view text, char delimiter, int first_row, std::size_t width) {
   std::vector<std::string> heading;
-  for (int number = 1; number < first_row && !text.empty(); ++number) {
-    const std::size_t end = text.find('\n');
-    const std::string line = trimmed(text.substr(0, end));
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (!line.starts_with('#')) continue;
-    const SplitLine cells{
-        number, split(line.substr(line.find_first_not_of("# \t") == std::string::npos ? line.size()
-                                                                                      : line.find_first_not_of("# \t")),
-                      delimiter)};
+  for (TextLines all(text); all.advance() && all.number() < first_row;) {
+    const std::size_t first = all.line().find_first_not_of(" \t");
+    if (first == std::string_view::npos || all.line()[first] != '#') continue;
+    const std::string_view words = all.line().substr(std::min(all.line().find_first_not_of("# \t"), all.line().size()));
+    const SplitLine cells{all.number(), csv_cells(words, delimiter)};
     if (cells.cells.size() == width && can_head(cells, width)) heading = cells.cells;
   }
   return heading;
@@ -192,7 +155,7 @@ RawTable read_raw_table(const std::string& text, const std::string& file, const 
                                  format.skip_lines));
   const char delimiter = delimiter_of(format, lines);
   std::vector<SplitLine> split_lines;
-  for (const auto& line : lines) split_lines.push_back({line.number, split(line.text, delimiter)});
+  for (const auto& line : lines) split_lines.push_back({line.number, csv_cells(line.text, delimiter)});
   const TableLayout layout = find_table(split_lines, delimiter, file);
   if (layout.begin == layout.end)
     throw InputError(

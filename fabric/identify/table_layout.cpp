@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <charconv>
 #include <map>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/files/csv.hpp"
 
 namespace weaveform::identify {
 namespace {
@@ -233,21 +232,7 @@ bool can_head(const SplitLine& line, std::size_t width) {
 
 std::optional<double> number_in(std::string cell, bool decimal_comma) {
   if (!decimal_comma) drop_thousands(cell);
-  if (decimal_comma) {
-    if (cell.find('.') != std::string::npos) return std::nullopt;  // 1.234,5 or 1.5: which one is meant?
-    std::replace(cell.begin(), cell.end(), ',', '.');
-  }
-  if (cell.starts_with('+')) cell.erase(0, 1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
-}
-
-bool says_missing(std::string cell) {
-  std::transform(cell.begin(), cell.end(), cell.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array words = {"", "nan", "na", "n/a", "-", "--", "null", "none", "inf", "-inf", "-nan"};
-  return std::find(words.begin(), words.end(), cell) != words.end();
+  return csv_number_in(cell, decimal_comma);
 }
 
 TableLayout find_table(const std::vector<SplitLine>& lines, char delimiter, const std::string& file) {

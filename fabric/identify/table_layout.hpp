@@ -26,8 +26,6 @@ struct TableLayout {
 // The number a cell is, with a decimal comma, or with a point and perhaps commas between thousands ("1,234.5"); nothing
 // when it is none.
 [[nodiscard]] std::optional<double> number_in(std::string cell, bool decimal_comma);
-// Whether a cell says that there is no number ("", "NaN", "n/a", "-", ...).
-[[nodiscard]] bool says_missing(std::string cell);
 
 // The rows are the largest block of lines that have numbers where the last lines of the file have them; the heading is
 // the last line without numbers above it, or the last but one when the last names units. Rows with words where numbers

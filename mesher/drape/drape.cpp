@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "mesher/drape/border_cells.hpp"
 #include "mesher/drape/generator.hpp"
+#include "mesher/drape/outline_cells.hpp"
 #include "mesher/drape/regions.hpp"
 #include "mesher/drape/start.hpp"
 #include "mesher/drape/tight_bends.hpp"
@@ -146,16 +146,16 @@ void judge_cells(const Mesh& mesh, const DrapeSurface& surface, double sense, Dr
   }
 }
 
-void take_border_angles(const BorderAngles& border, Drape& drape) {
-  drape.extrapolated = border.extrapolated;
-  for (std::size_t c = 0; c < border.angle.size(); ++c)
-    if (!std::isnan(border.angle[c]) && !std::isnan(drape.shear_angle[c])) drape.shear_angle[c] = border.angle[c];
+void take_outline_angles(const OutlineAngles& outline, Drape& drape) {
+  drape.extrapolated = outline.extrapolated;
+  for (std::size_t c = 0; c < outline.angle.size(); ++c)
+    if (!std::isnan(outline.angle[c]) && !std::isnan(drape.shear_angle[c])) drape.shear_angle[c] = outline.angle[c];
 }
 
 std::vector<DrapePlace> unreachable_places(const DrapedNet& net, const Lattice& lattice) {
   const NetBox& box = net.box;
   std::vector<char> marked(net.placed.size(), 0);
-  // what is laid for the border cells alone may end where it will
+  // what is laid for the outline cells alone may end where it will
   const std::vector<char> needed = needed_crossings(box, lattice.wanted);
   for (std::size_t k = 0; k < marked.size(); ++k)
     marked[k] =
@@ -173,10 +173,10 @@ std::vector<DrapePlace> unreachable_places(const DrapedNet& net, const Lattice& 
       at = net.position[box.index(a, b)];
       break;
     }
-    const bool border = net.placed[box.index(i, j)] == Placed::border;
-    places.push_back({border ? "the net meets the surface's border or a hole; the crossings there have no place"
-                             : "the net finds no point of the surface within its yarns' length; crossings from here on "
-                               "have no place",
+    const bool past = net.placed[box.index(i, j)] == Placed::past_rim;
+    places.push_back({past ? "the net meets the surface's border or a hole; the crossings there have no place"
+                           : "the net finds no point of the surface within its yarns' length; crossings from here on "
+                             "have no place",
                       array_of(at), region.count});
   }
   return places;
@@ -218,7 +218,7 @@ Drape drape_blank(const Scene& scene, const Mesh& mesh, const std::vector<Tool>&
   const Lattice lattice = lattice_of(mesh, start.crossing);
   const auto began = std::chrono::steady_clock::now();
   std::vector<char> wanted = lattice.wanted;
-  want_border_corners(mesh, start.crossing, lattice.box, wanted);
+  want_outline_corners(mesh, start.crossing, lattice.box, wanted);
   const DrapedNet net = drape_net(*start.surface, start.net, lattice.box, wanted);
   Drape drape;
   drape.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -231,7 +231,7 @@ Drape drape_blank(const Scene& scene, const Mesh& mesh, const std::vector<Tool>&
   drape.placed.assign(mesh.node_count(), 0);
   for (int n = 0; n < mesh.node_count(); ++n) {
     if (mesh.nodes.crossing[n][0] < 0) continue;
-    if (net.placed[lattice.index[n]] == Placed::border) drape.carried[n] = array_of(net.position[lattice.index[n]]);
+    if (net.placed[lattice.index[n]] == Placed::past_rim) drape.carried[n] = array_of(net.position[lattice.index[n]]);
     if (net.placed[lattice.index[n]] != Placed::yes) continue;
     drape.position[n] = array_of(net.position[lattice.index[n]]);
     drape.placed[n] = 1;
@@ -242,7 +242,7 @@ Drape drape_blank(const Scene& scene, const Mesh& mesh, const std::vector<Tool>&
   int hint = 0;
   const double sense = start.surface->at(start.net.seed, hint).gradient.dot(start.net.normal) < 0.0 ? -1.0 : 1.0;
   judge_cells(mesh, *start.surface, sense, drape);
-  take_border_angles(border_angles(mesh, start.crossing, net), drape);
+  take_outline_angles(outline_angles(mesh, start.crossing, net), drape);
   drape.length_error = greatest_length_error(mesh, drape);
   drape.unreachable = unreachable_places(net, lattice);
   drape.folds = fold_places(mesh, drape, start.crossing);

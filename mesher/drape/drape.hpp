@@ -33,9 +33,9 @@ struct Drape {
   // as a solve has them
   std::vector<std::array<double, 3>> laid;
   std::vector<char> placed;                    // per node
-  std::vector<std::array<double, 3>> carried;  // mm; per node: of crossings beyond a border, else not a number
+  std::vector<std::array<double, 3>> carried;  // mm; per node: of crossings beyond a rim, else not a number
   // rad; per cell, not a number unless all its nodes have a place; of cells that the outline cuts the net's at the
-  // centre of their shape (border_cells.hpp)
+  // centre of their shape (outline_cells.hpp)
   std::vector<double> shear_angle;
   std::vector<char> extrapolated;  // per cell: cut, and the net beyond the outline leaves the tool there
   std::vector<char> folded;        // per cell: its orientation is against the tool's normal

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/vector/vector.hpp"
 #include "mesher/drape/generator.hpp"
 #include "mesher/drape/start.hpp"
 
@@ -15,7 +16,6 @@ namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-using Point = std::array<double, 2>;
 
 Vector3d vector_of(const std::array<double, 3>& a) {
   return {a[0], a[1], a[2]};
@@ -85,7 +85,7 @@ private:
   }
 
   // Where the outline cuts a lattice edge: at the yarn's end, or where the yarn leaves the surface.
-  [[nodiscard]] Point cut(const Edge& edge) const {
+  [[nodiscard]] Vec2 cut(const Edge& edge) const {
     const std::size_t f = static_cast<std::size_t>(edge[2]);
     const std::array<int, 2> low = {edge[0], edge[1]};
     std::array<int, 2> high = low;
@@ -93,7 +93,7 @@ private:
     const bool forward = inside(low);
     const std::array<int, 2> from = forward ? low : high, to = forward ? high : low;
     const int n = node_at(from);
-    const Point flat = blank_point(mesh_.nodes.position[n]);
+    const Vec2 flat = blank_point(mesh_.nodes.position[n]);
     const int stub = end_[2 * f + (forward ? 0 : 1)][index(from)];
     double length = 0.0;
     if (node_at(to) < 0 && stub >= 0) {
@@ -107,7 +107,7 @@ private:
     return {flat[0] + way * std::cos(angle), flat[1] + way * std::sin(angle)};
   }
 
-  [[nodiscard]] Point blank_point(const std::array<double, 3>& world) const {
+  [[nodiscard]] Vec2 blank_point(const std::array<double, 3>& world) const {
     const double angle = scene_.blank.orientation * std::numbers::pi / 180.0;
     const double x = world[0] - scene_.blank.position[0], y = world[1] - scene_.blank.position[1];
     return {std::cos(angle) * x + std::sin(angle) * y, -std::sin(angle) * x + std::cos(angle) * y};

@@ -12,7 +12,7 @@ namespace weaveform {
 // Nodes of one yarn to one side of the seed, nearest first. Fewer than asked when nothing of the surface is in reach.
 struct Generator {
   std::vector<Eigen::Vector3d> node;
-  std::vector<char> beyond;  // per node: past a border or over a hole
+  std::vector<char> beyond;  // per node: past a rim or over a hole
 };
 
 // From `seed` (on the surface) along the tangent `direction`: `count` nodes, each `chord` (mm) from the one before.
@@ -27,7 +27,7 @@ struct Generator {
 [[nodiscard]] Generator along_curve(const DrapeSurface& surface, const Eigen::Vector3d& seed,
                                     const std::vector<Eigen::Vector3d>& curve, double chord, int count);
 
-// One node more, `length` (mm) from `x` along the geodesic that leaves it in `direction`; none beyond a border.
+// One node more, `length` (mm) from `x` along the geodesic that leaves it in `direction`; none beyond a rim.
 [[nodiscard]] std::optional<Eigen::Vector3d> next_along(const DrapeSurface& surface, const Eigen::Vector3d& x,
                                                         const Eigen::Vector3d& direction, double length, int& hint);
 

@@ -54,7 +54,7 @@ void lay_generators(const DrapeSurface& surface, const NetStart& start, const st
         net.placed[at(k)] = k > laid + 1 ? Placed::behind : Placed::nothing;
         if (k > laid) continue;
         net.position[at(k)] = yarn.node[k - 1];
-        net.placed[at(k)] = yarn.beyond[k - 1] != 0 ? Placed::border : Placed::yes;
+        net.placed[at(k)] = yarn.beyond[k - 1] != 0 ? Placed::past_rim : Placed::yes;
       }
     }
 }
@@ -83,7 +83,7 @@ Placed fourth(const DrapeSurface& surface, const NetStart& start, const Vector3d
   circle.e2 = axis.cross(circle.e1);
   const CircleMeets met = meet(surface, circle, x, hint);
   if (met == CircleMeets::surface) return Placed::yes;
-  return met == CircleMeets::border ? Placed::border : Placed::nothing;
+  return met == CircleMeets::past_rim ? Placed::past_rim : Placed::nothing;
 }
 
 void fill_quarter(const DrapeSurface& surface, const NetStart& start, const Quarter& q, const std::vector<char>& needed,
@@ -97,7 +97,7 @@ void fill_quarter(const DrapeSurface& surface, const NetStart& start, const Quar
       const std::size_t corner = box.index(q.i * (a - 1), q.j * (b - 1)), below = box.index(q.i * a, q.j * (b - 1)),
                         beside = box.index(q.i * (a - 1), q.j * b);
       const auto carries = [&](std::size_t k) {
-        return net.placed[k] == Placed::yes || net.placed[k] == Placed::border;
+        return net.placed[k] == Placed::yes || net.placed[k] == Placed::past_rim;
       };
       const bool known = carries(corner) && carries(below) && carries(beside);
       net.placed[here] = known ? fourth(surface, start, net.position[corner], net.position[below], net.position[beside],

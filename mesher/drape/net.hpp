@@ -29,9 +29,9 @@ struct NetStart {
 
 enum class Placed : std::uint8_t {
   yes,
-  nothing,  // no point of the surface within reach
-  border,  // past the border of an open surface or over a hole: its position carries the net on, but nothing lies there
-  behind,  // hangs on a crossing that has no place
+  nothing,   // no point of the surface within reach
+  past_rim,  // past the rim of an open surface or over a hole: its position carries the net on, but nothing lies there
+  behind,    // hangs on a crossing that has no place
   unwanted,  // neither asked for nor needed on the way to one that is
 };
 

@@ -45,7 +45,7 @@ double sphere_net_slope(double s) {
   return net_at(std::abs(s)).slope;
 }
 
-double sphere_net_fold() {
+double sphere_net_end() {
   double s = 1.8;
   for (int n = 0; n < 8; ++n) {  // Newton
     const Net y = net_at(s);

@@ -11,6 +11,6 @@ namespace weaveform {
 // g'(s).
 [[nodiscard]] double sphere_net_slope(double s);
 // The s at which g reaches 90 deg: the net folds there.
-[[nodiscard]] double sphere_net_fold();
+[[nodiscard]] double sphere_net_end();
 
 }  // namespace weaveform

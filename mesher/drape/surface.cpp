@@ -83,7 +83,7 @@ SurfacePoint ToolSurface::at(const Vector3d& x, int& hint) const {
     point.gradient = {found.normal[0], found.normal[1], found.normal[2]};
     point.beyond = found.beyond;
     if (found.beyond) {
-      // past a border the surface goes on in the plane of its last triangle: x - distance * normal is the border's
+      // past a rim the surface goes on in the plane of its last triangle: x - distance * normal is the rim's
       // point
       const auto face = tool_.surface->face_normal(found.triangle);
       const Vector3d plane(face[0], face[1], face[2]);
@@ -117,10 +117,10 @@ CircleMeets meet(const DrapeSurface& surface, const Circle& circle, Vector3d& x,
   if (!newton(surface, circle, t, beyond, hint)) {
     t = 0.0;
     if (!search(surface, circle, t, beyond, hint))
-      return look(surface, circle, 0.0, hint).beyond ? CircleMeets::border : CircleMeets::nothing;
+      return look(surface, circle, 0.0, hint).beyond ? CircleMeets::past_rim : CircleMeets::nothing;
   }
   x = point_of(circle, t);
-  return beyond ? CircleMeets::border : CircleMeets::surface;
+  return beyond ? CircleMeets::past_rim : CircleMeets::surface;
 }
 
 }  // namespace weaveform

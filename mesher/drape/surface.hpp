@@ -13,7 +13,7 @@ namespace weaveform {
 struct SurfacePoint {
   double value = 0.0;                                   // mm (or any unit that is smooth in x): 0 on the surface
   Eigen::Vector3d gradient = Eigen::Vector3d::UnitZ();  // outward, never zero near the surface
-  // past a border of an open surface or over a hole in it, where the surface is continued in its tangent plane: nothing
+  // past a rim of an open surface or over a hole in it, where the surface is continued in its tangent plane: nothing
   // lies there, but the net can pass through
   bool beyond = false;
 };
@@ -47,7 +47,7 @@ private:
   Function function_;
 };
 
-// The nearest point of the surface along its gradient (Newton). False when there is none near or it is past a border.
+// The nearest point of the surface along its gradient (Newton). False when there is none near or it is past a rim.
 [[nodiscard]] bool project(const DrapeSurface& surface, Eigen::Vector3d& x, int& hint);
 
 // The point of a circle that lies on the surface: x(t) = centre + radius (cos t e1 + sin t e2), |t| < 2, the one
@@ -56,7 +56,7 @@ struct Circle {
   Eigen::Vector3d centre, e1, e2;
   double radius;  // mm
 };
-enum class CircleMeets { surface, nothing, border };  // border: the point lies beyond one
+enum class CircleMeets { surface, nothing, past_rim };  // past_rim: the point lies beyond one
 [[nodiscard]] CircleMeets meet(const DrapeSurface& surface, const Circle& circle, Eigen::Vector3d& x, int& hint);
 
 }  // namespace weaveform

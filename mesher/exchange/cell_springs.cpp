@@ -7,12 +7,11 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/vector/vector.hpp"
 
 namespace weaveform::foreign {
 
 namespace {
-
-using Point = std::array<double, 3>;
 
 struct Pair {
   std::array<int, 2> node = {-1, -1};
@@ -22,21 +21,13 @@ struct Pair {
   [[nodiscard]] double ratio() const { return product() / (along * along + across * across); }
 };
 
-double dot(const Point& a, const Point& direction) {
-  return a[0] * direction[0] + a[1] * direction[1] + a[2] * direction[2];
-}
-
-Point between(const Point& a, const Point& b) {
-  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-}
-
-Point mirrored(const Point& through, const Point& of) {
+Vec3 mirrored(const Vec3& through, const Vec3& of) {
   return {2.0 * through[0] - of[0], 2.0 * through[1] - of[1], 2.0 * through[2] - of[2]};
 }
 
 Pair pair_of(const Gathered& model, int a, int b, int mirror) {
   const auto& x = model.mesh.flat_positions();
-  const Point way = between(mirror < 0 ? x[a] : mirrored(x[mirror], x[a]), x[b]);
+  const Vec3 way = minus(x[b], mirror < 0 ? x[a] : mirrored(x[mirror], x[a]));
   return {{a, b}, mirror, dot(way, model.direction[0]), dot(way, model.direction[1])};
 }
 
@@ -95,7 +86,7 @@ CellSprings cell_springs(const Gathered& model) {
                         "shear; change blank.phase or blank.fit",
                         cell));
       std::array<int, 2> node = pair.node;
-      Point first = x[node[0]];
+      Vec3 first = x[node[0]];
       if (pair.mirror >= 0) {
         first = mirrored(x[pair.mirror], first);
         const int next = mesh.node_count() + static_cast<int>(springs.mirrored.size());
@@ -103,9 +94,9 @@ CellSprings cell_springs(const Gathered& model) {
         if (added) springs.mirrored.push_back({pair.mirror, node[0]});
         node[0] = found->second;
       }
-      const Point way = between(first, x[node[1]]);
-      add_spring(pair, node, std::copysign(size, pair.product()), mesh.cells.area[cell] * mesh.thickness,
-                 std::hypot(way[0], way[1], way[2]), springs);
+      const Vec3 way = minus(x[node[1]], first);
+      add_spring(pair, node, std::copysign(size, pair.product()), mesh.cells.area[cell] * mesh.thickness, length(way),
+                 springs);
     }
   }
   return springs;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/keys/choice.hpp"
 #include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
@@ -14,10 +15,20 @@
 namespace weaveform {
 
 enum class MeshFormat { abaqus, calculix, lsdyna, openradioss, gmsh };
+constexpr auto choices_of(MeshFormat) {
+  return std::to_array<Choice<MeshFormat>>({{MeshFormat::abaqus, "abaqus"},
+                                            {MeshFormat::calculix, "calculix"},
+                                            {MeshFormat::lsdyna, "lsdyna"},
+                                            {MeshFormat::openradioss, "openradioss"},
+                                            {MeshFormat::gmsh, "gmsh"}});
+}
 
 // Whose laws: those that the code has itself, so that the file runs as it is, or user materials with the card's
 // constants, whose routine is the reader's to supply.
 enum class Materials { built_in, user };
+constexpr auto choices_of(Materials) {
+  return std::to_array<Choice<Materials>>({{Materials::built_in, "built-in"}, {Materials::user, "user"}});
+}
 
 struct ExportOptions {
   Materials materials = Materials::built_in;  // lsdyna, openradioss; abaqus always takes user materials

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_words.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/exchange/choose_fabric.hpp"
 #include "mesher/exchange/foreign_sets.hpp"
 #include "mesher/exchange/gathered.hpp"
@@ -21,8 +22,6 @@
 namespace weaveform {
 
 namespace {
-
-using Vec2 = std::array<double, 2>;
 
 // Text has fewer digits than the program: places within this part of a spacing are the same.
 constexpr double loose = 1e-5;
@@ -67,10 +66,8 @@ struct Recovery {
       if (ours[k] < 0) continue;
       ours[k] = count++;
       theirs.push_back(file.number[k]);
-      mesh.nodes.position.push_back(file.position[k]);
+      mesh.nodes.add(file.position[k], 0.0);
     }
-    mesh.nodes.crossing.assign(mesh.nodes.position.size(), {-1, -1});
-    mesh.nodes.mass.assign(mesh.nodes.position.size(), 0.0);
   }
 
   Vec2 along(const ForeignElement& line) const {
@@ -148,13 +145,12 @@ struct Recovery {
       if (d[f] < 0.0) std::swap(a, b);
       if (!there.insert({std::min(a, b), std::max(a, b)}).second)
         fail(*line, fmt::format("element {} lies on another line", line->number));
-      mesh.yarns.node.push_back({a, b});
-      mesh.yarns.family.push_back(f == 0 ? Family::warp : Family::weft);
-      mesh.yarns.rest_length.push_back(std::abs(d[f]));
+      // how many yarns it stands for is counted when the cells are known
+      mesh.yarns.add({.node = {a, b},
+                      .family = f == 0 ? Family::warp : Family::weft,
+                      .rest_length = std::abs(d[f]),
+                      .yarns = 0.0});
     }
-    for (auto* list : {&mesh.yarns.jaw, &mesh.yarns.section, &mesh.yarns.yarns})
-      list->assign(mesh.yarns.node.size(), 0.0);
-    mesh.yarns.softening.assign(mesh.yarns.node.size(), 1.0);
   }
 
   // Lattice rows: crossings have elements of both families; their spacing is that between neighbours.
@@ -302,11 +298,7 @@ struct Recovery {
             fail(*shell, fmt::format("shell {} lies more than a spacing from the yarns' crossings", shell->number));
         }
       }
-      cells.node.insert(cells.node.end(), node.begin(), node.end());
-      cells.coefficient.insert(cells.coefficient.end(), coefficient.begin(), coefficient.end());
-      cells.offset.push_back(static_cast<int>(cells.node.size()));
-      cells.area.push_back(area);
-      cells.lattice.push_back(corner);
+      cells.add(node, coefficient, area, corner);
     }
     if (cells.size() == 0) fail("no shell is wide enough for a cell");
     for (const auto& [centre, area] : slivers) cells.area[nearest_cell(centre)] += area;
@@ -437,6 +429,7 @@ ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const C
                                             mesh.spacing[0] / card.yarn[1].interval};
   lattice::lump(mesh, card, coarsening, work.holds());
   lattice::tie_free_ends(mesh, work.holds());
+  if (const std::string wrong = mesh.check(); !wrong.empty()) work.fail("the recovered mesh is not sound: " + wrong);
   work.notes.push_back(fmt::format(
       "recovered: {} cells, {} yarn elements, spacing {:.6g} and {:.6g} mm, coarsening "
       "{:.4g} (warp) and {:.4g} (weft); masses, jaws and soft ends are ours",

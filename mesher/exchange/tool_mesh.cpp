@@ -5,16 +5,13 @@
 #include <map>
 #include <numbers>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform::foreign {
 
 namespace {
 
-using Point = std::array<double, 3>;
-using Corner = std::array<double, 2>;  // (r, z)
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+using Corner = Vec2;  // (r, z)
 
 // mm; beyond it no node gets, wherever the tool goes.
 double reach_of(const Gathered& model, const ToolMotion& motion) {
@@ -26,7 +23,7 @@ double reach_of(const Gathered& model, const ToolMotion& motion) {
 // Its points, the first left out. Long lines are cut so that shells stay comparable to the fabric's cells.
 void add_line(const Corner& to, double longest, std::vector<Corner>& outline) {
   const Corner from = outline.back();
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::hypot(to[0] - from[0], to[1] - from[1]) / longest)));
+  const int parts = std::max(1, static_cast<int>(std::ceil(distance(to, from) / longest)));
   for (int k = 1; k <= parts; ++k) {
     const double part = static_cast<double>(k) / parts;
     outline.push_back({from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])});
@@ -40,7 +37,7 @@ double greatest_turn(double radius) {
 // The shorter way from the last point about `centre`.
 void add_arc(const Corner& centre, const Corner& to, std::vector<Corner>& outline) {
   const Corner from = outline.back();
-  const double radius = std::hypot(to[0] - centre[0], to[1] - centre[1]);
+  const double radius = distance(to, centre);
   const double start = std::atan2(from[1] - centre[1], from[0] - centre[0]);
   const double turn = std::remainder(std::atan2(to[1] - centre[1], to[0] - centre[0]) - start, 2.0 * std::numbers::pi);
   const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / greatest_turn(radius))));
@@ -52,7 +49,7 @@ void add_arc(const Corner& centre, const Corner& to, std::vector<Corner>& outlin
 }
 
 Corner beyond(const Corner& from, const Corner& to, double reach) {
-  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const double length = distance(to, from);
   Corner end = {to[0] + reach * (to[0] - from[0]) / length, to[1] + reach * (to[1] - from[1]) / length};
   if (end[0] < 0.0) {  // not across the axis
     const double part = to[0] / (to[0] - end[0]);
@@ -117,18 +114,12 @@ double curved_radius(const std::vector<Corner>& outline) {
   return greatest;
 }
 
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // Unit, two of them, that make a right-handed frame with the axis.
-std::array<Point, 2> across(const Point& axis) {
+std::array<Vec3, 2> across(const Vec3& axis) {
   const std::size_t least = std::abs(axis[0]) < 0.6 ? 0 : (std::abs(axis[1]) < 0.6 ? 1 : 2);
-  Point start = {0.0, 0.0, 0.0};
+  Vec3 start = {0.0, 0.0, 0.0};
   start[least] = 1.0;
-  Point first = cross(axis, start);
-  const double size = std::hypot(first[0], first[1], first[2]);
-  for (double& c : first) c /= size;
+  const Vec3 first = unit(cross(axis, start));
   return {first, cross(axis, first)};
 }
 
@@ -143,7 +134,7 @@ ToolMesh revolve(const std::vector<Corner>& outline, const Placement& place) {
     const bool on_axis = r < 1e-9;
     for (int k = 0; k < (on_axis ? 1 : around); ++k) {
       const double angle = 2.0 * std::numbers::pi * k / around;
-      Point x{};
+      Vec3 x{};
       for (std::size_t c = 0; c < 3; ++c)
         x[c] = place.origin[c] + z * place.axis[c] +
                (on_axis ? 0.0 : r * (std::cos(angle) * e1[c] + std::sin(angle) * e2[c]));
@@ -168,14 +159,14 @@ ToolMesh revolve(const std::vector<Corner>& outline, const Placement& place) {
 
 ToolMesh mesh_of_triangles(const TriangleSurface& surface, const Placement& place) {
   ToolMesh mesh;
-  std::map<Point, int> at;
+  std::map<Vec3, int> at;
   for (int t = 0; t < surface.size(); ++t) {
     std::array<int, 4> face = {-1, -1, -1, -1};
     const auto corners = surface.corners(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [found, added] = at.emplace(corners[k], static_cast<int>(mesh.node.size()));
       if (added) {
-        Point x = corners[k];
+        Vec3 x = corners[k];
         for (std::size_t c = 0; c < 3; ++c) x[c] += place.origin[c];
         mesh.node.push_back(x);
       }

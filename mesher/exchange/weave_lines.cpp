@@ -118,10 +118,9 @@ void read_nodes(LineReader& in, int count, MeshNodes& nodes, const std::array<in
     in.expect("node");
     std::array<double, 3> x{};
     for (double& c : x) c = in.real();
-    nodes.position.push_back(x);
-    nodes.mass.push_back(in.real());
+    const double mass = in.real();
     const int i = in.whole(-1, lattice[0]);
-    nodes.crossing.push_back({i, in.whole(-1, lattice[1])});
+    nodes.add(x, mass, {i, in.whole(-1, lattice[1])});
     in.done();
   }
 }
@@ -129,13 +128,13 @@ void read_nodes(LineReader& in, int count, MeshNodes& nodes, const std::array<in
 void read_yarns(LineReader& in, int count, int nodes, MeshYarns& yarns) {
   for (int e = 0; e < count; ++e) {
     in.expect("yarn");
-    const int a = in.whole(0, nodes);
-    yarns.node.push_back({a, in.whole(0, nodes)});
-    yarns.family.push_back(in.whole(0, 2) == 0 ? Family::warp : Family::weft);
-    for (auto* to : {&yarns.rest_length, &yarns.section, &yarns.yarns, &yarns.jaw, &yarns.softening})
-      to->push_back(in.real());
-    if (!(yarns.rest_length.back() > 0.0)) in.fail("a rest length above 0 expected");
+    MeshYarn yarn;
+    for (int& n : yarn.node) n = in.whole(0, nodes);
+    yarn.family = in.whole(0, 2) == 0 ? Family::warp : Family::weft;
+    for (double* to : {&yarn.rest_length, &yarn.section, &yarn.yarns, &yarn.jaw, &yarn.softening}) *to = in.real();
+    if (!(yarn.rest_length > 0.0)) in.fail("a rest length above 0 expected");
     in.done();
+    yarns.add(yarn);
   }
 }
 
@@ -143,18 +142,20 @@ void read_cells(LineReader& in, int count, int nodes, MeshCells& cells) {
   for (int c = 0; c < count; ++c) {
     in.expect("cell");
     const int size = in.whole(3, 7);
-    cells.area.push_back(in.real());
-    const int i = in.whole(-1, most);
-    cells.lattice.push_back({i, in.whole(-1, most)});
+    const double area = in.real();
+    std::array<int, 2> lattice{};
+    for (int& index : lattice) index = in.whole(-1, most);
     in.done();
+    std::vector<int> node;
+    std::vector<Vec2> coefficient;
     for (int k = 0; k < size; ++k) {
       in.expect("at");
-      cells.node.push_back(in.whole(0, nodes));
+      node.push_back(in.whole(0, nodes));
       const double warp = in.real();
-      cells.coefficient.push_back({warp, in.real()});
+      coefficient.push_back({warp, in.real()});
       in.done();
     }
-    cells.offset.push_back(static_cast<int>(cells.node.size()));
+    cells.add(node, coefficient, area, lattice);
   }
 }
 
@@ -218,6 +219,7 @@ WovenMesh read_weave_lines(const std::vector<NumberedLine>& lines, const std::st
     woven.scene += in.rest() + "\n";
   }
   in.expect("end");
+  if (const std::string wrong = mesh.check(); !wrong.empty()) in.fail(wrong);
   return woven;
 }
 

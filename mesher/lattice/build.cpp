@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -185,11 +186,11 @@ void lay_yarns(const YarnNet& net, const Card& card, MeshYarns& yarns) {
         if (!chord.meshed()) continue;
         const std::vector<int> along = nodes_along(net, family, c, chord);
         for (std::size_t k = 0; k + 1 < along.size(); ++k) {
-          yarns.node.push_back({along[k], along[k + 1]});
-          yarns.family.push_back(static_cast<Family>(family));
-          yarns.rest_length.push_back(net.place[along[k + 1]][family] - net.place[along[k]][family]);
-          yarns.section.push_back(chord.yarns * card.yarn[family].section);
-          yarns.yarns.push_back(chord.yarns);
+          yarns.add({.node = {along[k], along[k + 1]},
+                     .family = static_cast<Family>(family),
+                     .rest_length = net.place[along[k + 1]][family] - net.place[along[k]][family],
+                     .section = chord.yarns * card.yarn[family].section,
+                     .yarns = chord.yarns});
         }
       }
     }
@@ -200,7 +201,6 @@ void lay_yarns(const YarnNet& net, const Card& card, MeshYarns& yarns) {
 void index_crossings(const YarnNet& net, Mesh& mesh) {
   std::array<int, 2> least = net.grid.size;
   std::array<int, 2> most = {-1, -1};
-  mesh.nodes.crossing.assign(net.place.size(), {-1, -1});
   for (int j = 0; j < net.grid.size[1]; ++j) {
     for (int i = 0; i < net.grid.size[0]; ++i) {
       const int n = net.node_at(i, j);
@@ -271,10 +271,9 @@ std::vector<Hold> holds(const YarnNet& net, const GripRegions& grips) {
 void place_in_world(const YarnNet& net, const BlankSpec& blank, Mesh& mesh) {
   const Turn yarns = turn_by_degrees(blank.yarn_angle);
   const Turn whole = turn_by_degrees(blank.orientation);
-  mesh.nodes.position.reserve(net.place.size());
   for (const auto& place : net.place) {
     const Vec2 p = whole.forward(yarns.forward(place));
-    mesh.nodes.position.push_back({blank.position[0] + p[0], blank.position[1] + p[1], blank.position[2]});
+    mesh.nodes.add({blank.position[0] + p[0], blank.position[1] + p[1], blank.position[2]}, 0.0);
   }
 }
 
@@ -311,7 +310,6 @@ Mesh build(const Scene& scene, const Card& card, const BlankOutline& read) {
   place_in_world(net, blank, mesh);
   mesh.spacing = lines.spacing;
   mesh.thickness = card.thickness;
-  mesh.nodes.mass.assign(net.place.size(), 0.0);
   index_crossings(net, mesh);
   collect_sets(net, grips, mesh);
   lump(mesh, card, real_coarsening(lines.spacing, card), holds(net, grips));
@@ -329,7 +327,9 @@ Mesh build(const Scene& scene, const Card& card, const BlankOutline& read) {
 namespace weaveform {
 
 Mesh build_flat_mesh(const Scene& scene, const Card& card, const BlankOutline& outline) {
-  return lattice::build(scene, card, outline);
+  Mesh mesh = lattice::build(scene, card, outline);
+  if (const std::string wrong = mesh.check(); !wrong.empty()) throw std::logic_error("the mesh as built: " + wrong);
+  return mesh;
 }
 
 Mesh build_flat_mesh(const Scene& scene, const Card& card) {

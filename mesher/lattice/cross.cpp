@@ -65,10 +65,7 @@ int add_node(Mesh& mesh, const BlankSpec& blank, const Vec2& place, double mass)
   const Turn yarns = turn_by_degrees(blank.yarn_angle);
   const Turn whole = turn_by_degrees(blank.orientation);
   const Vec2 p = whole.forward(yarns.forward(place));
-  mesh.nodes.position.push_back({blank.position[0] + p[0], blank.position[1] + p[1], blank.position[2]});
-  mesh.nodes.mass.push_back(mass);
-  mesh.nodes.crossing.push_back({-1, -1});
-  return mesh.node_count() - 1;
+  return mesh.nodes.add({blank.position[0] + p[0], blank.position[1] + p[1], blank.position[2]}, mass);
 }
 
 int add_arm(const YarnEnd& end, int family, double to, const BlankSpec& blank, const Card& card, Mesh& mesh) {
@@ -80,13 +77,11 @@ int add_arm(const YarnEnd& end, int family, double to, const BlankSpec& blank, c
   const double half_mass = 0.5 * yarns * card.yarn[family].linear_density * length;
   const int added = add_node(mesh, blank, stop, half_mass);
   mesh.nodes.mass[end.node] += half_mass;
-  mesh.yarns.node.push_back(end.side == 0 ? std::array<int, 2>{added, end.node} : std::array<int, 2>{end.node, added});
-  mesh.yarns.family.push_back(static_cast<Family>(family));
-  mesh.yarns.rest_length.push_back(length);
-  mesh.yarns.section.push_back(mesh.yarns.section[end.element]);
-  mesh.yarns.yarns.push_back(yarns);
-  mesh.yarns.jaw.push_back(0.0);
-  mesh.yarns.softening.push_back(1.0);
+  mesh.yarns.add({.node = end.side == 0 ? std::array<int, 2>{added, end.node} : std::array<int, 2>{end.node, added},
+                  .family = static_cast<Family>(family),
+                  .rest_length = length,
+                  .section = mesh.yarns.section[end.element],
+                  .yarns = yarns});
   return added;
 }
 

@@ -103,15 +103,6 @@ bool fit_gradient(const YarnNet& net, const std::vector<int>& node, std::vector<
   return true;
 }
 
-void append_cell(MeshCells& cells, const std::vector<int>& node, const std::vector<Vec2>& coefficient, double area,
-                 int i, int j) {
-  cells.node.insert(cells.node.end(), node.begin(), node.end());
-  cells.coefficient.insert(cells.coefficient.end(), coefficient.begin(), coefficient.end());
-  cells.offset.push_back(static_cast<int>(cells.node.size()));
-  cells.area.push_back(area);
-  cells.lattice.push_back({i, j});
-}
-
 // Area of a cut cell that could not stand alone.
 struct Sliver {
   int i, j;
@@ -178,7 +169,7 @@ MeshCells cut_cells(const YarnNet& net, const Outline& outline) {
       if (quad) node.assign(corner.begin(), corner.end());
       if (quad && marked[k] == 0) {
         cell_at[k] = cells.size();
-        append_cell(cells, node, whole, whole_area, i, j);
+        cells.add(node, whole, whole_area, {i, j});
         continue;
       }
       // Away from the outline only a crossing that was taken out leaves a cell incomplete inside the blank.
@@ -188,7 +179,7 @@ MeshCells cut_cells(const YarnNet& net, const Outline& outline) {
       if (!quad) gather_nodes(net, i, j, node);
       if (quad || fit_gradient(net, node, coefficient)) {
         cell_at[k] = cells.size();
-        append_cell(cells, node, quad ? whole : coefficient, inside.area, i, j);
+        cells.add(node, quad ? whole : coefficient, inside.area, {i, j});
       } else {
         slivers.push_back({i, j, inside.area, {inside.first[0] / inside.area, inside.first[1] / inside.area}});
       }

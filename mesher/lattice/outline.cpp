@@ -144,11 +144,9 @@ std::vector<Span> chords(const Outline& outline, int axis, double across, double
 }
 
 double distance_to_edge(const OutlineEdge& edge, const Vec2& point) {
-  const Vec2 along = {edge.to[0] - edge.from[0], edge.to[1] - edge.from[1]};
-  const Vec2 away = {point[0] - edge.from[0], point[1] - edge.from[1]};
-  const double squared = along[0] * along[0] + along[1] * along[1];
-  const double t = std::clamp((away[0] * along[0] + away[1] * along[1]) / squared, 0.0, 1.0);
-  return std::hypot(away[0] - t * along[0], away[1] - t * along[1]);
+  const Vec2 along = minus(edge.to, edge.from), away = minus(point, edge.from);
+  const double t = std::clamp(dot(away, along) / dot(along, along), 0.0, 1.0);
+  return distance(away, scaled(along, t));
 }
 
 }  // namespace weaveform::lattice

@@ -7,11 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/vector/vector.hpp"
 #include "mesher/scene/choices.hpp"
 
 namespace weaveform::lattice {
-
-using Vec2 = std::array<double, 2>;
 
 struct OutlineEdge {
   Vec2 from = {0.0, 0.0};              // mm

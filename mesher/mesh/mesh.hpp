@@ -1,5 +1,7 @@
 // The mesh: yarn elements merged with shear cells, as plain arrays. Units mm, tonne, MPa.
 // Crossings carry their lattice indices so that the solver can lay them out in rows; yarn ends on the outline do not.
+// Each part has add(), which keeps its arrays of one length, and check(): "" for a sound one, else the first thing
+// wrong with it in one line.
 #pragma once
 
 #include <array>
@@ -8,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/vector/vector.hpp"
 #include "mesher/mesh/symmetry.hpp"
 
 namespace weaveform {
@@ -28,6 +31,20 @@ struct MeshNodes {
   std::vector<double> mass;
   // (i, j): i counts along the warp direction, j along the weft; {-1, -1} for a yarn end
   std::vector<std::array<int, 2>> crossing;
+  // Gives the node's number.
+  int add(const Vec3& at, double its_mass, const std::array<int, 2>& its_crossing = {-1, -1});
+  [[nodiscard]] std::string check() const;
+};
+
+// One yarn element, as MeshYarns says of each.
+struct MeshYarn {
+  std::array<int, 2> node = {-1, -1};
+  Family family = Family::warp;
+  double rest_length = 0.0;  // mm
+  double section = 0.0;      // mm^2
+  double yarns = 1.0;
+  double jaw = 0.0;  // mm
+  double softening = 1.0;
 };
 
 // Straight yarn elements. True strain e = ln((L + jaw) / (L0 + jaw)); axial force
@@ -42,6 +59,9 @@ struct MeshYarns {
   std::vector<double> jaw;  // mm; > 0: a short end that reaches this far into a grip's jaws (keeps the step)
   std::vector<double>
       softening;  // 1; < 1: an end that must not set the step; 0: a tied free end, which carries nothing
+  void add(const MeshYarn& yarn);
+  [[nodiscard]] MeshYarn at(int element) const;
+  [[nodiscard]] std::string check(int nodes) const;
 };
 
 // Shear cells: convex polygons of 3 to 6 nodes, counter-clockwise. The yarn directions at the centre are linear in the
@@ -54,6 +74,10 @@ struct MeshCells {
   // (i, j) of its lowest corner, -1 possible on cut cells; full quads have all four corners as nodes
   std::vector<std::array<int, 2>> lattice;
   [[nodiscard]] int size() const { return static_cast<int>(area.size()); }
+  // `its_coefficient` of each of its nodes.
+  void add(const std::vector<int>& its_node, const std::vector<Vec2>& its_coefficient, double its_area,
+           const std::array<int, 2>& its_lattice);
+  [[nodiscard]] std::string check(int nodes) const;
 };
 
 // Nodes that follow two others: x = (1 - share) x_a + share x_b. The solver gives their forces and mass to those two.
@@ -94,6 +118,9 @@ struct Mesh {
   }
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes.mass.size()); }
   [[nodiscard]] int yarn_count() const { return static_cast<int>(yarns.section.size()); }
+  // All parts, ties and sets, and the lattice: no crossing outside it, none taken twice. Whoever reads or builds a mesh
+  // asks before the solver relies on it.
+  [[nodiscard]] std::string check() const;
 };
 
 }  // namespace weaveform

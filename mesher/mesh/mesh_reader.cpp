@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "mesher/mesh/mesh_check.hpp"
 #include "mesher/mesh/mesh_format.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
@@ -210,7 +209,7 @@ Mesh mesh_of(const VtuGrid& grid, const std::filesystem::path& file) {
   get_field_data(wanted, grid, mesh);
   get_ties(wanted, grid, mesh);
   wanted.stop_if_any();
-  const std::string wrong = what_is_wrong(mesh);
+  const std::string wrong = mesh.check();
   if (!wrong.empty()) wanted.complain(wrong);
   wanted.stop_if_any();
   return mesh;

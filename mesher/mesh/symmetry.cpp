@@ -2,12 +2,12 @@
 
 #include <cstddef>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector minus_twice(const Vector& v, double along, const Vector& normal) {
+Vec3 minus_twice(const Vec3& v, double along, const Vec3& normal) {
   return {v[0] - 2.0 * along * normal[0], v[1] - 2.0 * along * normal[1], v[2] - 2.0 * along * normal[2]};
 }
 
@@ -21,17 +21,17 @@ std::vector<double> node_share(const MeshSymmetry& symmetry, int node_count) {
   return share;
 }
 
-Vector mirrored_vector(const Vector& v, const SymmetryPlane& plane) {
-  const Vector& n = plane.normal;
-  return minus_twice(v, v[0] * n[0] + v[1] * n[1] + v[2] * n[2], n);
+Vec3 mirrored_vector(const Vec3& v, const SymmetryPlane& plane) {
+  const Vec3& n = plane.normal;
+  return minus_twice(v, dot(v, n), n);
 }
 
-Vector mirrored_point(const Vector& x, const SymmetryPlane& plane) {
-  const Vector &n = plane.normal, &p = plane.point;
-  return minus_twice(x, (x[0] - p[0]) * n[0] + (x[1] - p[1]) * n[1] + (x[2] - p[2]) * n[2], n);
+Vec3 mirrored_point(const Vec3& x, const SymmetryPlane& plane) {
+  const Vec3 &n = plane.normal, &p = plane.point;
+  return minus_twice(x, dot(minus(x, p), n), n);
 }
 
-Vector mirrored_vector(Vector v, const std::vector<SymmetryPlane>& plane, unsigned which) {
+Vec3 mirrored_vector(Vec3 v, const std::vector<SymmetryPlane>& plane, unsigned which) {
   for (std::size_t k = 0; k < plane.size(); ++k)
     if ((which >> k & 1U) != 0) v = mirrored_vector(v, plane[k]);
   return v;

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/files/bytes.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/outline/join_curves.hpp"
 #include "mesher/tools/gmsh_session.hpp"
 #include "mesher/tools/triangles.hpp"
@@ -18,16 +19,11 @@
 namespace weaveform {
 namespace {
 
-using Point = std::array<double, 3>;
-using Polyline = std::vector<Point>;
+using Polyline = std::vector<Vec3>;
 
 constexpr int most_chords = 1 << 16;  // of one curve; a tolerance that wants more is a slip of the pen
 constexpr double joined = 1e-6;       // of the outline's extent: how near two curves' ends must lie
 constexpr double flat = 1e-6;         // of the extent: how far points may leave the plane
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-}
 
 Polyline sampled(int curve, double from, double to, int chords) {
   std::vector<double> parameter, coordinate;
@@ -51,8 +47,8 @@ Polyline chords_of(int curve, double tolerance) {
     const Polyline line = sampled(curve, low[0], high[0], chords), finer = sampled(curve, low[0], high[0], 2 * chords);
     double worst = 0.0;
     for (int k = 0; k < chords; ++k) {
-      const Point middle = {0.5 * (line[k][0] + line[k + 1][0]), 0.5 * (line[k][1] + line[k + 1][1]),
-                            0.5 * (line[k][2] + line[k + 1][2])};
+      const Vec3 middle = {0.5 * (line[k][0] + line[k + 1][0]), 0.5 * (line[k][1] + line[k + 1][1]),
+                           0.5 * (line[k][2] + line[k + 1][2])};
       worst = std::max(worst, distance(middle, finer[2 * k + 1]));
     }
     if (worst <= tolerance) return line;
@@ -95,14 +91,14 @@ std::vector<Polyline> decoded(const std::string& bytes, const std::string& file)
   try {
     ByteReader reader(bytes);
     for (std::size_t left = reader.count_of(sizeof(std::uint64_t)); left > 0; --left)
-      lines.push_back(reader.list<Point>());
+      lines.push_back(reader.list<Vec3>());
   } catch (const std::runtime_error& trouble) {
     throw InputError(
         fmt::format("{}: its curves came back in pieces ({}); write the file again", file, trouble.what()));
   }
   for (const Polyline& line : lines) {
     if (line.empty()) throw InputError(file + ": holds a curve without points; write the file again");
-    for (const Point& point : line)
+    for (const Vec3& point : line)
       for (const double x : point)
         if (!(std::abs(x) <= farthest_corner))
           throw InputError(fmt::format("{}: a curve runs to {} mm; lengths of an outline are within {:g} mm", file, x,
@@ -112,7 +108,7 @@ std::vector<Polyline> decoded(const std::string& bytes, const std::string& file)
 }
 
 double extent_of(const std::vector<Polyline>& lines) {
-  Point low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
+  Vec3 low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
   for (const auto& line : lines)
     for (const auto& p : line)
       for (int c = 0; c < 3; ++c) {

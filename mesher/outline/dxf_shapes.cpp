@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 namespace {
 
 constexpr int most_chords = 1 << 14;  // of one arc or span of a spline
-
-double distance(const DrawnPoint& a, const DrawnPoint& b) {
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
 
 // The chord over an angle a of radius r leaves the arc by r (1 - cos(a/2)). Along an ellipse the greater half axis
 // bounds it, for it is a circle of that radius pressed flat.
@@ -28,8 +26,9 @@ void add_span(const Spline& spline, double from, double to, double tolerance, st
     for (int k = 0; k <= 2 * chords; ++k) finer.push_back(point_on(spline, from + (to - from) * k / (2 * chords)));
     double worst = 0.0;
     for (int k = 0; k < 2 * chords; k += 2)
-      worst = std::max(worst, distance({0.5 * (finer[k][0] + finer[k + 2][0]), 0.5 * (finer[k][1] + finer[k + 2][1])},
-                                       finer[k + 1]));
+      worst = std::max(
+          worst, distance(DrawnPoint{0.5 * (finer[k][0] + finer[k + 2][0]), 0.5 * (finer[k][1] + finer[k + 2][1])},
+                          finer[k + 1]));
     if (worst > tolerance && chords < most_chords) continue;
     for (int k = 2; k <= 2 * chords; k += 2) line.push_back(finer[k]);
     return;
@@ -40,7 +39,7 @@ void add_span(const Spline& spline, double from, double to, double tolerance, st
 
 std::vector<DrawnPoint> elliptic_arc(const DrawnPoint& centre, const DrawnPoint& first_axis,
                                      const DrawnPoint& second_axis, double from, double sweep, double tolerance) {
-  const double radius = std::max(std::hypot(first_axis[0], first_axis[1]), std::hypot(second_axis[0], second_axis[1]));
+  const double radius = std::max(length(first_axis), length(second_axis));
   const bool whole = std::abs(std::abs(sweep) - 2.0 * std::numbers::pi) < 1e-12;
   const int chords = std::max(whole ? 8 : 1, chords_over(radius, sweep, tolerance));
   std::vector<DrawnPoint> line;

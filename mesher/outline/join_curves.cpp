@@ -8,17 +8,13 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 namespace {
 
-using Point = std::array<double, 2>;
-
 constexpr std::size_t most_complaints = 3;  // of one kind
 constexpr std::size_t most_there = 64;      // ends at one place: a scribble that is refused anyway
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
 
 // End e of curve e / 2: its first point when e is even, else its last.
 class Ends {
@@ -26,7 +22,7 @@ public:
   Ends(const std::vector<OutlineCurve>& curves, double near) : curves_(curves), near_(near) {
     for (std::size_t e = 0; e < 2 * curves.size(); ++e) at_[key(cell(point(e)))].push_back(e);
   }
-  [[nodiscard]] const Point& point(std::size_t e) const {
+  [[nodiscard]] const Vec2& point(std::size_t e) const {
     const auto& line = curves_[e / 2].point;
     return e % 2 == 0 ? line.front() : line.back();
   }
@@ -55,7 +51,7 @@ public:
 
 private:
   using Cell = std::array<std::int64_t, 2>;
-  [[nodiscard]] Cell cell(const Point& p) const {
+  [[nodiscard]] Cell cell(const Vec2& p) const {
     return {static_cast<std::int64_t>(std::floor(p[0] / near_)), static_cast<std::int64_t>(std::floor(p[1] / near_))};
   }
   static std::uint64_t key(const Cell& c) {
@@ -66,8 +62,8 @@ private:
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> at_;
 };
 
-bool same_points(const std::vector<Point>& a, const std::vector<Point>& b, double near) {
-  const auto close = [near](const Point& p, const Point& q) { return distance(p, q) <= near; };
+bool same_points(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double near) {
+  const auto close = [near](const Vec2& p, const Vec2& q) { return distance(p, q) <= near; };
   return a.size() == b.size() &&
          (std::equal(a.begin(), a.end(), b.begin(), close) || std::equal(a.begin(), a.end(), b.rbegin(), close));
 }
@@ -78,7 +74,7 @@ bool is_closed(const OutlineCurve& curve, double near) {
 
 bool is_nothing(const OutlineCurve& curve, double near) {
   return std::all_of(curve.point.begin(), curve.point.end(),
-                     [&](const Point& p) { return distance(p, curve.point.front()) <= near; });
+                     [&](const Vec2& p) { return distance(p, curve.point.front()) <= near; });
 }
 
 // Curves that begin where another one does and go the same way.
@@ -106,7 +102,7 @@ void complain(const std::vector<OutlineCurve>& curves, const Ends& ends, const s
   std::size_t open = 0, branched = 0;
   for (std::size_t e = 0; e < 2 * curves.size(); ++e) {
     const auto others = ends.others(e);
-    const Point& p = ends.point(e);
+    const Vec2& p = ends.point(e);
     const std::string& place = curves[e / 2].place.empty() ? what : curves[e / 2].place;
     if (others.empty() && ++open <= most_complaints)
       complaints.push_back(

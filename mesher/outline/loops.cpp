@@ -3,27 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
+#include <string_view>
 
 #include "core/error.hpp"
+#include "core/files/csv.hpp"
 #include "core/files/files.hpp"
+#include "core/log/plain_text.hpp"
+#include "core/vector/vector.hpp"
 
 namespace weaveform {
 namespace {
 
-using Point = std::array<double, 2>;
-
 constexpr int ellipse_corners = 720;        // the polygon leaves the ellipse by 1e-5 of its size
 constexpr double closed = 1e-6;             // of the loop's extent: how near the last point must come to the first
 constexpr std::size_t most_complaints = 5;  // of one kind; the rest is more of the same
-
-double cross(const Point& o, const Point& a, const Point& b) {
-  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-}
 
 std::string place_of(const OutlineLoop& loop, std::size_t k) {
   if (k < loop.place.size()) return loop.place[k];
@@ -31,7 +27,7 @@ std::string place_of(const OutlineLoop& loop, std::size_t k) {
 }
 
 double extent_of(const OutlineLoop& loop) {
-  Point low = loop.point.front(), high = low;
+  Vec2 low = loop.point.front(), high = low;
   for (const auto& p : loop.point)
     for (int c = 0; c < 2; ++c) {
       low[c] = std::min(low[c], p[c]);
@@ -45,11 +41,11 @@ bool between(double a, double b, double x) {
 }
 
 // Whether two segments share a point.
-bool touch(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double d1 = cross(a, b, c), d2 = cross(a, b, d), d3 = cross(c, d, a), d4 = cross(c, d, b);
+bool touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double d1 = turn_of(a, b, c), d2 = turn_of(a, b, d), d3 = turn_of(c, d, a), d4 = turn_of(c, d, b);
   if (((d1 > 0.0) != (d2 > 0.0)) && ((d3 > 0.0) != (d4 > 0.0)) && d1 != 0.0 && d2 != 0.0 && d3 != 0.0 && d4 != 0.0)
     return true;
-  const auto on = [](const Point& p, const Point& q, const Point& r) {
+  const auto on = [](const Vec2& p, const Vec2& q, const Vec2& r) {
     return between(p[0], q[0], r[0]) && between(p[1], q[1], r[1]);
   };
   return (d1 == 0.0 && on(a, b, c)) || (d2 == 0.0 && on(a, b, d)) || (d3 == 0.0 && on(c, d, a)) ||
@@ -57,16 +53,16 @@ bool touch(const Point& a, const Point& b, const Point& c, const Point& d) {
 }
 
 // Where the lines through a, b and c, d meet; of parallel ones the end that lies on the other.
-Point meeting_point(const Point& a, const Point& b, const Point& c, const Point& d) {
+Vec2 meeting_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double turn = (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0]);
-  if (turn == 0.0) return cross(a, b, c) == 0.0 && between(a[0], b[0], c[0]) && between(a[1], b[1], c[1]) ? c : d;
+  if (turn == 0.0) return turn_of(a, b, c) == 0.0 && between(a[0], b[0], c[0]) && between(a[1], b[1], c[1]) ? c : d;
   const double t = ((c[0] - a[0]) * (d[1] - c[1]) - (c[1] - a[1]) * (d[0] - c[0])) / turn;
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
 }
 
 struct Edge {
   std::size_t loop, corner;
-  Point from, to;
+  Vec2 from, to;
   double low, high;  // x
 };
 
@@ -74,7 +70,7 @@ std::vector<Edge> edges_of(const std::vector<OutlineLoop>& loops) {
   std::vector<Edge> edges;
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (std::size_t k = 0; k < loops[l].point.size(); ++k) {
-      const Point &a = loops[l].point[k], &b = loops[l].point[(k + 1) % loops[l].point.size()];
+      const Vec2 &a = loops[l].point[k], &b = loops[l].point[(k + 1) % loops[l].point.size()];
       edges.push_back({l, k, a, b, std::min(a[0], b[0]), std::max(a[0], b[0])});
     }
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.low < b.low; });
@@ -97,7 +93,7 @@ void find_crossings(const std::vector<OutlineLoop>& loops, const std::string& wh
       if (neighbours(edges[i], edges[j], loops) || !touch(edges[i].from, edges[i].to, edges[j].from, edges[j].to))
         continue;
       ++found;
-      const Point at = meeting_point(edges[i].from, edges[i].to, edges[j].from, edges[j].to);
+      const Vec2 at = meeting_point(edges[i].from, edges[i].to, edges[j].from, edges[j].to);
       complaints.push_back(fmt::format(
           "{}: the outline meets itself at ({:.6g}, {:.6g}): the edge from {} ({:.6g}, {:.6g}) crosses or touches the "
           "one from {} ({:.6g}, {:.6g}); put its corners in order around the blank",
@@ -106,10 +102,10 @@ void find_crossings(const std::vector<OutlineLoop>& loops, const std::string& wh
     }
 }
 
-bool encloses(const OutlineLoop& loop, const Point& p) {
+bool encloses(const OutlineLoop& loop, const Vec2& p) {
   bool inside = false;
   for (std::size_t k = 0; k < loop.point.size(); ++k) {
-    const Point &a = loop.point[k], &b = loop.point[(k + 1) % loop.point.size()];
+    const Vec2 &a = loop.point[k], &b = loop.point[(k + 1) % loop.point.size()];
     if ((a[1] > p[1]) == (b[1] > p[1])) continue;
     if (p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
   }
@@ -131,20 +127,18 @@ void drop_repeats(OutlineLoop& loop) {
   loop = std::move(kept);
 }
 
-std::optional<Point> read_point(std::string line) {
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\t'; }, ' ');
-  Point point{};
-  const char* at = line.data();
-  const char* const end = at + line.size();
-  for (double& value : point) {
-    while (at != end && *at == ' ') ++at;
-    const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
-    at = next;
+// Two numbers, parted by whichever delimiter.
+std::optional<Vec2> read_point(std::string_view line) {
+  const std::size_t found = line.find_first_of(",;\t");
+  std::vector<std::string> cells = csv_cells(line, found == std::string_view::npos ? ' ' : line[found]);
+  std::erase(cells, "");
+  if (cells.size() != 2) return std::nullopt;
+  Vec2 point{};
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto number = csv_number_in(cells[c], false);
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    point[c] = *number;
   }
-  while (at != end && *at == ' ') ++at;
-  if (at != end) return std::nullopt;
   return point;
 }
 
@@ -168,8 +162,8 @@ private:
 
 void close_loop(OutlineLoop& loop, std::vector<OutlineLoop>& loops, Troubles& open) {
   if (loop.point.empty()) return;
-  const Point &first = loop.point.front(), &last = loop.point.back();
-  const double gap = std::hypot(last[0] - first[0], last[1] - first[1]);
+  const Vec2 &first = loop.point.front(), &last = loop.point.back();
+  const double gap = distance(last, first);
   if (loop.point.size() < 4 || gap > closed * extent_of(loop)) {
     open.add(fmt::format(
         "{}: the outline is open: it ends {:.4g} mm from where it began at {} ({:.6g}, {:.6g}); repeat the first point "
@@ -184,9 +178,9 @@ void close_loop(OutlineLoop& loop, std::vector<OutlineLoop>& loops, Troubles& op
 }
 
 // As much of a line as a message can hold; bytes that are no text as '?'.
-std::string shown(const std::string& line) {
+std::string shown(std::string_view line) {
   constexpr std::size_t most = 40;
-  std::string text = line.substr(0, most);
+  std::string text(line.substr(0, most));
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = '?';
   return line.size() > most ? text + "..." : text;
@@ -194,9 +188,9 @@ std::string shown(const std::string& line) {
 
 }  // namespace
 
-double signed_area(const std::vector<Point>& point) {
+double signed_area(const std::vector<Vec2>& point) {
   double twice = 0.0;
-  for (std::size_t k = 1; k + 1 < point.size(); ++k) twice += cross(point[0], point[k], point[k + 1]);
+  for (std::size_t k = 1; k + 1 < point.size(); ++k) twice += turn_of(point[0], point[k], point[k + 1]);
   return 0.5 * twice;
 }
 
@@ -230,15 +224,15 @@ std::vector<OutlineLoop> sound_loops(std::vector<OutlineLoop> loops, const std::
 }
 
 std::vector<OutlineLoop> read_outline_csv(const std::string& file, std::vector<std::string>& complaints) {
-  std::istringstream in(read_text_file(file));
+  const std::string text = plain_text(read_text_file(file));
   std::vector<OutlineLoop> loops;
   OutlineLoop loop;
-  std::string line;
   Troubles wrong, open;
   bool heading_seen = false;
-  for (int number = 1; std::getline(in, line); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.find_first_not_of(" \t,;") == std::string::npos) {
+  for (TextLines lines(text); lines.advance();) {
+    const std::string_view line = lines.line();
+    const int number = lines.number();
+    if (line.find_first_not_of(" \t,;") == std::string_view::npos) {
       close_loop(loop, loops, open);
       continue;
     }

@@ -19,12 +19,6 @@ const toml::table* table_at(const toml::table& root, const char* name, std::size
   return node == nullptr ? nullptr : node->as_table();
 }
 
-// Where a key stands, or its table when the key is not given.
-const toml::node& place_of(const toml::table& table, const char* key) {
-  const toml::node* node = table.get(key);
-  return node == nullptr ? table : *node;
-}
-
 void check_box(const std::array<double, 4>& box, const toml::table& table, const char* key, Complaints& complaints) {
   if (box[0] < box[2] && box[1] < box[3]) return;
   complaints.add(place_of(table, key), fmt::format("'{}' is [{}, {}, {}, {}]; it must be xmin < xmax and ymin < ymax",

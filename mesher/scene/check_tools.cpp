@@ -9,19 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 namespace {
 
-using Axis = std::array<double, 3>;
-
-// Where a key stands, or its table when the key is not given.
-const toml::node& place_of(const toml::table& table, const char* key) {
-  const toml::node* node = table.get(key);
-  return node == nullptr ? table : *node;
-}
-
-bool is_zero(const Axis& a) {
-  return a == Axis{0.0, 0.0, 0.0};
+bool is_zero(const Vec3& a) {
+  return a == Vec3{0.0, 0.0, 0.0};
 }
 
 // Whether the file names a shape that there is.
@@ -113,6 +107,11 @@ void check_name(const ToolSpec& tool, const Scene& scene, const toml::table& tab
 }
 
 }  // namespace
+
+const toml::node& place_of(const toml::table& table, const char* key) {
+  const toml::node* node = table.get(key);
+  return node == nullptr ? table : *node;
+}
 
 void check_tools(const Scene& scene, const toml::table& root, Complaints& complaints) {
   const toml::table* group = root["tools"].as_table();

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 
 std::array<double, 3> grip_direction(const GripSpec& grip) {
@@ -10,10 +12,7 @@ std::array<double, 3> grip_direction(const GripSpec& grip) {
   if (grip.edge == BlankEdge::left) direction = {-1.0, 0.0, 0.0};
   if (grip.edge == BlankEdge::right) direction = {1.0, 0.0, 0.0};
   if (grip.direction) direction = *grip.direction;
-  const double length =
-      std::sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
-  for (auto& component : direction) component /= length;
-  return direction;
+  return divided(direction, plain_length(direction));
 }
 
 }  // namespace weaveform

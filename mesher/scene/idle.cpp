@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/vector/vector.hpp"
 #include "mesher/scene/grip_direction.hpp"
 
 namespace weaveform {
@@ -16,8 +17,7 @@ constexpr double most_earths = 100.0;   // a centrifuge has more, a press and a 
 constexpr double least_earths = 0.005;  // written in m/s^2 it is a thousandth; beside other loads it may be a trick
 
 double weight_of(const Scene& scene) {
-  const auto& g = scene.analysis.gravity;
-  return std::hypot(g[0], g[1], g[2]);
+  return length(scene.analysis.gravity);
 }
 
 bool leaves_free(const GripSpec& grip, std::size_t axis) {

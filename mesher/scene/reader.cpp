@@ -74,7 +74,8 @@ std::vector<KeyInfo> scene_keys() {
 std::string scene_reference_markdown() {
   std::string text =
       "# Scene reference\n\n"
-      "Generated from the key table in `mesher/scene/schema.cpp`. A scene is a TOML file. Units: mm, s, N, MPa, tonne; "
+      "Generated from the key tables in `mesher/scene/*_keys.cpp`. A scene is a TOML file. Units: mm, s, N, MPa, "
+      "tonne; "
       "angles in degrees. A whole number is accepted where a number is wanted. `\"auto\"` lets the program choose.\n\n"
       "`--set TABLE.KEY=VALUE` replaces any value from the command line; an element of a list of tables is named or "
       "counted from 0: `--set blank.size=[100,200]`, `--set grip.top.travel=40`, `--set grip.0.travel=40`, "

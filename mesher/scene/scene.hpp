@@ -1,5 +1,5 @@
 // What the user asked for: the scene as plain data. Units: mm, s, N, MPa, tonne; angles in degrees (a scene is a file).
-// The defaults below are the only place where defaults are written; schema.cpp names each key, its unit, type and
+// The defaults below are the only place where defaults are written; the _keys.cpp name each key, its unit, type and
 // range.
 #pragma once
 

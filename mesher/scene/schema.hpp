@@ -1,5 +1,5 @@
 // Every key a scene may hold: one row each. Reader, echo, --set and docs/scene.md all follow these rows.
-// A new key is a member in scene.hpp and one row in schema.cpp; a new table is a list of rows and a line in
+// A new key is a member in scene.hpp and one row in its _keys.cpp; a new table is a list of rows and a line in
 // scene_tables().
 #pragma once
 

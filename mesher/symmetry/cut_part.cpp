@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 namespace {
-
-using Vector = std::array<double, 3>;
 
 // The images of one thing, itself among them, each once.
 std::vector<int> orbit(int which, const std::vector<const std::vector<int>*>& maps) {
@@ -33,13 +33,13 @@ struct Cutter {
         part_of_whole(the_whole.node_count(), -1) {}
 
   // Planes that a place lies beyond, as bits.
-  [[nodiscard]] unsigned beyond(const Vector& x) const {
+  [[nodiscard]] unsigned beyond(const Vec3& x) const {
     unsigned planes = 0;
     for (std::size_t k = 0; k < symmetry.plane.size(); ++k)
       if (height(x, k) < -tolerance) planes |= 1U << k;
     return planes;
   }
-  [[nodiscard]] double height(const Vector& x, std::size_t k) const {
+  [[nodiscard]] double height(const Vec3& x, std::size_t k) const {
     const auto& [point, normal] = symmetry.plane[k];
     return (x[0] - point[0]) * normal[0] + (x[1] - point[1]) * normal[1] + (x[2] - point[2]) * normal[2];
   }
@@ -49,8 +49,8 @@ struct Cutter {
     return list;
   }
   template <class Nodes>
-  [[nodiscard]] Vector middle(const Nodes& nodes) const {
-    Vector sum = {0.0, 0.0, 0.0};
+  [[nodiscard]] Vec3 middle(const Nodes& nodes) const {
+    Vec3 sum = {0.0, 0.0, 0.0};
     for (const int n : nodes)
       for (std::size_t c = 0; c < 3; ++c) sum[c] += whole.nodes.position[n][c] / static_cast<double>(nodes.size());
     return sum;
@@ -68,9 +68,7 @@ struct Cutter {
     int& number = part_of_whole[n];
     if (number >= 0) return number;
     number = part.mesh.node_count();
-    part.mesh.nodes.position.push_back(whole.nodes.position[n]);
-    part.mesh.nodes.crossing.push_back(whole.nodes.crossing[n]);
-    part.mesh.nodes.mass.push_back(mass);
+    part.mesh.nodes.add(whole.nodes.position[n], mass, whole.nodes.crossing[n]);
     part.mesh.symmetry.whole_node.push_back(n);
     return number;
   }
@@ -111,19 +109,15 @@ struct Cutter {
   void take_yarns(bool run_on) {
     const auto by = maps(&MirrorMap::yarn);
     const auto here = [&](int e) { return beyond(middle(whole.yarns.node[e])) == 0; };
-    auto& yarns = part.mesh.yarns;
     for (int e = 0; e < whole.yarn_count(); ++e) {
       const auto [a, b] = whole.yarns.node[e];
       const bool meets_plane = beyond(whole.nodes.position[a]) == 0 || beyond(whole.nodes.position[b]) == 0;
       if (!here(e) && !(run_on && meets_plane)) continue;
       const double share = here(e) ? weight(e, by, here) : 0.0;
-      yarns.node.push_back({node_of_element(a), node_of_element(b)});
-      yarns.family.push_back(whole.yarns.family[e]);
-      yarns.rest_length.push_back(whole.yarns.rest_length[e]);
-      yarns.section.push_back(share * whole.yarns.section[e]);
-      yarns.yarns.push_back(whole.yarns.yarns[e]);
-      yarns.jaw.push_back(whole.yarns.jaw[e]);
-      yarns.softening.push_back(whole.yarns.softening[e]);
+      MeshYarn yarn = whole.yarns.at(e);
+      yarn.node = {node_of_element(a), node_of_element(b)};
+      yarn.section *= share;
+      part.mesh.yarns.add(yarn);
     }
   }
 
@@ -134,16 +128,13 @@ struct Cutter {
       return std::vector<int>(from.node.begin() + from.offset[c], from.node.begin() + from.offset[c + 1]);
     };
     const auto here = [&](int c) { return beyond(middle(nodes_of(c))) == 0; };
-    auto& cells = part.mesh.cells;
     for (int c = 0; c < from.size(); ++c) {
       if (!here(c)) continue;
-      for (int a = from.offset[c]; a < from.offset[c + 1]; ++a) {
-        cells.node.push_back(node_of_element(from.node[a]));
-        cells.coefficient.push_back(from.coefficient[a]);
-      }
-      cells.offset.push_back(static_cast<int>(cells.node.size()));
-      cells.area.push_back(weight(c, by, here) * from.area[c]);
-      cells.lattice.push_back(from.lattice[c]);
+      std::vector<int> nodes = nodes_of(c);
+      for (int& n : nodes) n = node_of_element(n);
+      const std::vector<Vec2> coefficients(from.coefficient.begin() + from.offset[c],
+                                           from.coefficient.begin() + from.offset[c + 1]);
+      part.mesh.cells.add(nodes, coefficients, weight(c, by, here) * from.area[c], from.lattice[c]);
     }
   }
 
@@ -194,13 +185,12 @@ SymmetricPart cut_part(const Mesh& whole, const Symmetry& symmetry, bool run_on)
   return std::move(cutter.part);
 }
 
-std::vector<Vector> unfold(const SymmetricPart& part, const Mesh& whole, const std::vector<Vector>& position) {
-  std::vector<Vector> result(whole.nodes.position);
+std::vector<Vec3> unfold(const SymmetricPart& part, const Mesh& whole, const std::vector<Vec3>& position) {
+  std::vector<Vec3> result(whole.nodes.position);
   for (std::size_t n = 0; n < result.size(); ++n) {
     const auto [node, planes] = part.image[n];
-    const Vector &x = position[node], &start = part.mesh.nodes.position[node];
-    const Vector moved =
-        mirrored_vector({x[0] - start[0], x[1] - start[1], x[2] - start[2]}, part.mesh.symmetry.plane, planes);
+    const Vec3 &x = position[node], &start = part.mesh.nodes.position[node];
+    const Vec3 moved = mirrored_vector(minus(x, start), part.mesh.symmetry.plane, planes);
     for (std::size_t c = 0; c < 3; ++c) result[n][c] += moved[c];
   }
   return result;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/vector/vector.hpp"
 #include "mesher/lattice/outline.hpp"
 #include "mesher/scene/grip_direction.hpp"
 #include "mesher/tools/tool.hpp"
@@ -13,18 +14,12 @@
 namespace weaveform {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 constexpr double place_rounding = 1e-9;       // mm; a tool this near to the plane is in it
 constexpr double direction_rounding = 1e-12;  // 1; of a unit vector's component
 
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 std::string gravity_difference(const Scene& scene, const SymmetryPlane& plane) {
-  const Vector& gravity = scene.analysis.gravity;
-  const double size = std::sqrt(dot(gravity, gravity));
+  const Vec3& gravity = scene.analysis.gravity;
+  const double size = plain_length(gravity);
   return std::abs(dot(gravity, plane.normal)) > direction_rounding * size ? "gravity pulls across it" : "";
 }
 
@@ -49,8 +44,8 @@ bool holds_the_image(const GripSpec& grip, const GripSpec& other, int axis) {
 
 // A grip at rest may point anywhere: its force across the plane is zero.
 std::string grip_difference(const GripSpec& grip, const GripSpec& image, int axis) {
-  Vector mirrored = grip_direction(grip);
-  const Vector direction = grip_direction(image);
+  Vec3 mirrored = grip_direction(grip);
+  const Vec3 direction = grip_direction(image);
   mirrored[axis] = -mirrored[axis];
   double off = 0.0;
   for (std::size_t c = 0; c < 3; ++c) off = std::max(off, std::abs(mirrored[c] - direction[c]));
@@ -81,8 +76,8 @@ std::string grips_difference(const Scene& scene, int axis) {
 
 // All analytic tools are solids of revolution about their axis.
 bool shape_is_mirrored(const Tool& tool, const SymmetryPlane& plane) {
-  const Vector off = {tool.start.origin[0] - plane.point[0], tool.start.origin[1] - plane.point[1],
-                      tool.start.origin[2] - plane.point[2]};
+  const Vec3 off = {tool.start.origin[0] - plane.point[0], tool.start.origin[1] - plane.point[1],
+                    tool.start.origin[2] - plane.point[2]};
   const bool in_plane = std::abs(dot(off, plane.normal)) <= place_rounding;
   const double across = std::abs(dot(tool.start.axis, plane.normal));
   const bool along = across <= direction_rounding;
@@ -119,7 +114,7 @@ std::string tools_difference(const Scene& scene, const std::vector<Tool>& tools,
 
 SymmetryPlane blank_plane(const BlankSpec& blank, int axis) {
   const auto turn = lattice::turn_by_degrees(blank.orientation);
-  const auto normal = turn.forward(axis == 0 ? lattice::Vec2{1.0, 0.0} : lattice::Vec2{0.0, 1.0});
+  const auto normal = turn.forward(axis == 0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0});
   return {blank.position, {normal[0], normal[1], 0.0}};
 }
 

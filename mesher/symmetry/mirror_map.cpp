@@ -6,21 +6,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double height(const SymmetryPlane& plane, const Vector& x) {
-  return dot(difference(x, plane.point), plane.normal);
+double height(const SymmetryPlane& plane, const Vec3& x) {
+  return dot(minus(x, plane.point), plane.normal);
 }
 
 bool alike(double a, double b) {
@@ -35,7 +27,7 @@ std::string words_of(const Mesh& mesh, int node) {
 // Nodes in square buckets, to be found by their place in the plane of the blank.
 class Places {
 public:
-  Places(const std::vector<Vector>& position, double side) : position_(position), side_(side) {
+  Places(const std::vector<Vec3>& position, double side) : position_(position), side_(side) {
     std::array<double, 2> high = {position.front()[0], position.front()[1]};
     low_ = high;
     for (const auto& x : position)
@@ -49,23 +41,23 @@ public:
       bucket_[index(column(position[n], 0), column(position[n], 1))].push_back(static_cast<int>(n));
   }
   // The node within `tolerance` of a place; -1: none.
-  [[nodiscard]] int at(const Vector& x, double tolerance) const {
+  [[nodiscard]] int at(const Vec3& x, double tolerance) const {
     const int i = column(x, 0), j = column(x, 1);
     for (int b = std::max(0, j - 1); b <= std::min(count_[1] - 1, j + 1); ++b)
       for (int a = std::max(0, i - 1); a <= std::min(count_[0] - 1, i + 1); ++a)
         for (const int n : bucket_[index(a, b)]) {
-          const Vector off = difference(position_[n], x);
+          const Vec3 off = minus(position_[n], x);
           if (dot(off, off) <= tolerance * tolerance) return n;
         }
     return -1;
   }
 
 private:
-  [[nodiscard]] int column(const Vector& x, std::size_t axis) const {
+  [[nodiscard]] int column(const Vec3& x, std::size_t axis) const {
     return static_cast<int>(std::floor((x[axis] - low_[axis]) / side_));
   }
   [[nodiscard]] std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * count_[0] + i; }
-  const std::vector<Vector>& position_;
+  const std::vector<Vec3>& position_;
   double side_;
   std::array<double, 2> low_{};
   std::array<int, 2> count_{};
@@ -101,13 +93,13 @@ struct FamilyImage {
   double sign = 1.0;
 };
 
-using Directions = std::array<Vector, 2>;
+using Directions = std::array<Vec3, 2>;
 
 Directions yarn_directions(const Mesh& mesh) {
   Directions along{};
   for (int e = 0; e < mesh.yarn_count(); ++e) {
     const auto [a, b] = mesh.yarns.node[e];
-    Vector d = difference(mesh.nodes.position[b], mesh.nodes.position[a]);
+    Vec3 d = minus(mesh.nodes.position[b], mesh.nodes.position[a]);
     const double length = std::sqrt(dot(d, d));
     for (auto& component : d) component /= length;
     along[static_cast<std::size_t>(mesh.yarns.family[e])] = d;
@@ -115,7 +107,7 @@ Directions yarn_directions(const Mesh& mesh) {
   return along;
 }
 
-FamilyImage image_of(const Vector& mirrored, const Directions& along) {
+FamilyImage image_of(const Vec3& mirrored, const Directions& along) {
   for (int f = 0; f < 2; ++f) {
     const double cosine = dot(mirrored, along[f]);
     if (std::abs(cosine) > 1.0 - 1e-9) return {f, cosine > 0.0 ? 1.0 : -1.0};

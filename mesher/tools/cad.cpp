@@ -13,6 +13,7 @@
 #include "core/files/bytes.hpp"
 #include "core/files/files.hpp"
 #include "core/guard/guarded.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/gmsh_session.hpp"
 #include "mesher/tools/script_triangles.hpp"
@@ -22,8 +23,6 @@ namespace weaveform {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Point = std::array<double, 3>;
 
 std::string encoded(const CadSurface& surface) {
   ByteWriter bytes;
@@ -41,7 +40,7 @@ CadSurface decoded(const std::string& bytes, const fs::path& file) {
   try {
     ByteReader reader(bytes);
     surface.chord_error = reader.value<double>();
-    surface.list.point = reader.list<Point>();
+    surface.list.point = reader.list<Vec3>();
     surface.list.triangle = reader.list<std::array<int, 3>>();
     for (std::size_t left = reader.count_of(sizeof(std::uint64_t)); left > 0; --left)
       surface.words.push_back(reader.text());
@@ -153,8 +152,10 @@ void convert_cad(const fs::path& from, const fs::path& to) {
   std::error_code trouble;
   if (!fs::is_regular_file(fs::symlink_status(written, trouble)))
     throw FileError(to.string() + ": nothing came of writing it; the part may be empty");
-  fs::copy_file(written, to, fs::copy_options::overwrite_existing, trouble);
-  if (trouble) throw_cannot_write(to, trouble.value());
+  write_whole(to, [&](const fs::path& temporary) {
+    fs::copy_file(written, temporary, fs::copy_options::overwrite_existing, trouble);
+    if (trouble) throw_cannot_write(to, trouble.value());
+  });
 }
 
 }  // namespace weaveform

@@ -8,34 +8,20 @@
 
 #include "core/error.hpp"
 #include "core/keys/key_value.hpp"
+#include "core/vector/vector.hpp"
 
 namespace weaveform {
 namespace {
 
-using Vec2 = std::array<double, 2>;
-
 constexpr double same_point = 1e-9;  // mm; two corners closer than this are one
 
-Vec2 minus(const Vec2& a, const Vec2& b) {
-  return {a[0] - b[0], a[1] - b[1]};
-}
-double dot(const Vec2& a, const Vec2& b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-// > 0 when b lies to the left of a.
-double cross(const Vec2& a, const Vec2& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-double length(const Vec2& a) {
-  return std::sqrt(dot(a, a));
-}
 Vec2 along(const Vec2& point, const Vec2& direction, double way) {
-  return {point[0] + way * direction[0], point[1] + way * direction[1]};
+  return plus(point, scaled(direction, way));
 }
 
 ProfilePiece line(const Vec2& start, const Vec2& end) {
   const Vec2 way = minus(end, start);
-  const double size = length(way);
+  const double size = plain_length(way);
   const Vec2 normal = {way[1] / size, -way[0] / size};
   return {.start = start, .end = end, .start_normal = normal, .end_normal = normal};
 }
@@ -43,10 +29,10 @@ ProfilePiece line(const Vec2& start, const Vec2& end) {
 ProfilePiece arc(const Vec2& start, const Vec2& end, const Vec2& centre) {
   // turning left keeps the centre in the material
   const double side = cross(minus(start, centre), minus(end, centre)) > 0.0 ? 1.0 : -1.0;
-  const double radius = 0.5 * (length(minus(start, centre)) + length(minus(end, centre)));
+  const double radius = 0.5 * (plain_length(minus(start, centre)) + plain_length(minus(end, centre)));
   const auto normal = [&](const Vec2& p) {
     const Vec2 out = minus(p, centre);
-    return Vec2{side * out[0] / length(out), side * out[1] / length(out)};
+    return Vec2{side * out[0] / plain_length(out), side * out[1] / plain_length(out)};
   };
   return {.start = start,
           .end = end,
@@ -60,8 +46,8 @@ ProfilePiece arc(const Vec2& start, const Vec2& end, const Vec2& centre) {
 ProfilePiece rounding(const Vec2& before, const Vec2& corner, const Vec2& after, double radius,
                       const std::string& name) {
   const Vec2 in = minus(corner, before), out = minus(after, corner);
-  const double in_length = length(in), out_length = length(out);
-  const Vec2 u = {in[0] / in_length, in[1] / in_length}, v = {out[0] / out_length, out[1] / out_length};
+  const double in_length = plain_length(in), out_length = plain_length(out);
+  const Vec2 u = divided(in, in_length), v = divided(out, out_length);
   const double turn = std::atan2(cross(u, v), dot(u, v));
   const double tangent = radius * std::tan(0.5 * std::abs(turn));
   const double room = std::min(in_length, out_length);
@@ -86,12 +72,12 @@ void check_corner(const std::vector<double>& corner, bool at_end, const std::str
 }
 
 void append_line(Profile& profile, const Vec2& start, const Vec2& end) {
-  if (length(minus(end, start)) > same_point) profile.piece.push_back(line(start, end));
+  if (plain_length(minus(end, start)) > same_point) profile.piece.push_back(line(start, end));
 }
 
 void append_arc(Profile& profile, const Vec2& start, const std::vector<double>& corner, const std::string& name) {
   const Vec2 end = {corner[0], corner[1]}, centre = {corner[2], corner[3]};
-  const double first = length(minus(start, centre)), second = length(minus(end, centre));
+  const double first = plain_length(minus(start, centre)), second = plain_length(minus(end, centre));
   if (!(std::abs(first - second) <= 1e-6 * first) || first <= same_point)
     throw InputError(fmt::format("{}: its centre is {:.8g} mm from the start of the arc and {:.8g} mm from its end",
                                  name, first, second));
@@ -112,7 +98,7 @@ double nearest_on(const ProfilePiece& piece, const Vec2& p, Vec2& nearest, Vec2&
   } else {
     const double side = piece.radius > 0.0 ? 1.0 : -1.0;
     const Vec2 out = minus(p, piece.centre);
-    const double size = length(out);
+    const double size = plain_length(out);
     const bool after_start = side * cross(minus(piece.start, piece.centre), out) >= 0.0;
     const bool before_end = side * cross(out, minus(piece.end, piece.centre)) >= 0.0;
     if (after_start && before_end && size > 0.0) {
@@ -134,10 +120,10 @@ Vec2 normal_at_corner(const Profile& profile, const Vec2& corner, const Vec2& no
   Vec2 sum = {0.0, 0.0};
   for (const auto& piece : profile.piece) {
     for (const auto& [point, its_normal] : {std::pair(piece.start, piece.start_normal), {piece.end, piece.end_normal}})
-      if (length(minus(point, corner)) <= same_point) sum = along(sum, its_normal, 1.0);
+      if (plain_length(minus(point, corner)) <= same_point) sum = along(sum, its_normal, 1.0);
   }
-  const double size = length(sum);
-  return size > 0.0 ? Vec2{sum[0] / size, sum[1] / size} : normal;
+  const double size = plain_length(sum);
+  return size > 0.0 ? divided(sum, size) : normal;
 }
 
 }  // namespace
@@ -151,7 +137,7 @@ Profile make_profile(const std::vector<std::vector<double>>& corners, const std:
   Profile profile;
   Vec2 at = point(0);
   for (std::size_t n = 1; n < corners.size(); ++n) {
-    if (length(minus(point(n), point(n - 1))) <= same_point)
+    if (plain_length(minus(point(n), point(n - 1))) <= same_point)
       throw InputError(name(n) + " is the corner before it once more");
     if (corners[n].size() == 4) {
       append_arc(profile, at, corners[n], name(n));
@@ -190,11 +176,11 @@ ProfileDistance profile_distance(const Profile& profile, double r, double z) {
     normal = candidate_normal;
     owner = &piece;
   }
-  const bool at_start = length(minus(nearest, owner->start)) <= same_point && !owner->endless[0];
-  const bool at_end = length(minus(nearest, owner->end)) <= same_point && !owner->endless[1];
+  const bool at_start = plain_length(minus(nearest, owner->start)) <= same_point && !owner->endless[0];
+  const bool at_end = plain_length(minus(nearest, owner->end)) <= same_point && !owner->endless[1];
   if (at_start || at_end) normal = normal_at_corner(profile, nearest, normal);
   const Vec2 off = minus(p, nearest);
-  const double size = length(off);
+  const double size = plain_length(off);
   if (size <= same_point) return {dot(off, normal), normal[0], normal[1]};
   const double side = dot(off, normal) >= 0.0 ? 1.0 : -1.0;
   return {side * size, side * off[0] / size, side * off[1] / size};

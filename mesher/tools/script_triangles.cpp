@@ -15,12 +15,11 @@
 
 #include "core/error.hpp"
 #include "core/guard/guarded.hpp"
+#include "core/vector/vector.hpp"
 
 namespace weaveform {
 
 namespace {
-
-using Point = std::array<double, 3>;
 
 constexpr double finest = 1e-6;   // of the extent; a tolerance that wants more is a slip of the pen
 constexpr double longest = 0.25;  // of the extent; a side of nothing that curves
@@ -33,31 +32,23 @@ double extent_of_model() {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-Point point_at(const std::vector<double>& values, std::size_t k) {
+Vec3 point_at(const std::vector<double>& values, std::size_t k) {
   return {values[3 * k], values[3 * k + 1], values[3 * k + 2]};
-}
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // 1/mm; of the arc through three near points, seen along `way` (unit), which for a face is its normal: 2 s / (h/2)^2.
-double bend(const Point& before, const Point& at, const Point& after, const Point& way) {
-  const Point chord = minus(after, before);
-  const Point off = {at[0] - 0.5 * (before[0] + after[0]), at[1] - 0.5 * (before[1] + after[1]),
-                     at[2] - 0.5 * (before[2] + after[2])};
+double bend(const Vec3& before, const Vec3& at, const Vec3& after, const Vec3& way) {
+  const Vec3 chord = minus(after, before);
+  const Vec3 off = {at[0] - 0.5 * (before[0] + after[0]), at[1] - 0.5 * (before[1] + after[1]),
+                    at[2] - 0.5 * (before[2] + after[2])};
   const double square = dot(chord, chord);
   return square > 0.0 ? 8.0 * std::abs(dot(off, way)) / square : 0.0;
 }
 
-Point unit(const Point& a) {
-  const double length = std::sqrt(dot(a, a));
-  return length > 0.0 ? Point{a[0] / length, a[1] / length, a[2] / length} : Point{0.0, 0.0, 0.0};
+// Of length 1, or nothing where there is no direction.
+Vec3 unit_or_zero(const Vec3& a) {
+  const double length = plain_length(a);
+  return length > 0.0 ? divided(a, length) : Vec3{0.0, 0.0, 0.0};
 }
 
 double curvature_of_curve(int curve) {
@@ -67,12 +58,12 @@ double curvature_of_curve(int curve) {
   gmsh::model::getValue(1, curve, at, on);
   double greatest = 0.0;
   for (std::size_t k = 1; k + 1 < at.size(); ++k) {
-    const Point a = point_at(on, k - 1), x = point_at(on, k), b = point_at(on, k + 1), chord = unit(minus(b, a));
-    const Point off = minus(x, a);
+    const Vec3 a = point_at(on, k - 1), x = point_at(on, k), b = point_at(on, k + 1), chord = unit_or_zero(minus(b, a));
+    const Vec3 off = minus(x, a);
     const double along = dot(off, chord);
     greatest = std::max(
         greatest,
-        bend(a, x, b, unit({off[0] - along * chord[0], off[1] - along * chord[1], off[2] - along * chord[2]})));
+        bend(a, x, b, unit_or_zero({off[0] - along * chord[0], off[1] - along * chord[1], off[2] - along * chord[2]})));
   }
   return greatest;
 }
@@ -93,7 +84,8 @@ double curvature_of_face(int face) {
   double greatest = 0.0;
   for (int i = 1; i + 1 < grid; ++i)
     for (int j = 1; j + 1 < grid; ++j) {
-      const Point normal = unit(cross(unit(minus(x(i + 1, j), x(i - 1, j))), unit(minus(x(i, j + 1), x(i, j - 1)))));
+      const Vec3 normal = unit_or_zero(
+          cross(unit_or_zero(minus(x(i + 1, j), x(i - 1, j))), unit_or_zero(minus(x(i, j + 1), x(i, j - 1)))));
       for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}})
         greatest = std::max(greatest, bend(x(i - di, j - dj), x(i, j), x(i + di, j + dj), normal));
     }
@@ -179,8 +171,8 @@ void approach(int face, Probes& probes, const std::vector<double>& on) {
   std::vector<double> derivative;
   gmsh::model::getDerivative(2, face, probes.parameter, derivative);
   for (std::size_t k = 0; 6 * k + 5 < derivative.size(); ++k) {
-    const Point off = minus(point_at(probes.point, k), point_at(on, k)), du = point_at(derivative, 2 * k),
-                dv = point_at(derivative, 2 * k + 1);
+    const Vec3 off = minus(point_at(probes.point, k), point_at(on, k)), du = point_at(derivative, 2 * k),
+               dv = point_at(derivative, 2 * k + 1);
     const double uu = dot(du, du), uv = dot(du, dv), vv = dot(dv, dv), determinant = uu * vv - uv * uv;
     if (!(determinant > 1e-9 * uu * vv)) continue;  // a tip, where one direction is lost
     probes.parameter[2 * k] += (vv * dot(off, du) - uv * dot(off, dv)) / determinant;
@@ -193,7 +185,7 @@ double greatest_distance(int face, Probes probes) {
   for (int step = 0; step < 3; ++step) {
     gmsh::model::getValue(2, face, probes.parameter, on);
     for (std::size_t k = 0; k < least.size() && 3 * k + 2 < on.size(); ++k) {
-      const Point off = minus(point_at(probes.point, k), point_at(on, k));
+      const Vec3 off = minus(point_at(probes.point, k), point_at(on, k));
       least[k] = std::min(least[k], std::sqrt(dot(off, off)));
     }
     approach(face, probes, on);

@@ -13,12 +13,11 @@
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/vector/vector.hpp"
 
 namespace weaveform {
 
 namespace {
-
-using Point = std::array<double, 3>;
 
 // Binary STL: 80 bytes of anything, the number of facets, then each facet as 12 floats (normal, three corners) and two
 // bytes of anything. Little endian, as this machine must be.
@@ -31,7 +30,7 @@ public:
   explicit Collector(const std::string& name) : name_(name) {}
 
   // `place` of the file, e.g. ":12" for its line.
-  void add(const std::array<Point, 3>& corners, const std::string& place = "") {
+  void add(const std::array<Vec3, 3>& corners, const std::string& place = "") {
     ++facets_;
     std::array<int, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -54,7 +53,7 @@ public:
 private:
   const std::string& name_;
   std::size_t facets_ = 0;
-  std::map<Point, int> index_;
+  std::map<Vec3, int> index_;
   TriangleList list_;
 };
 
@@ -75,7 +74,7 @@ TriangleList parse_binary(std::string_view bytes, const std::string& name) {
   for (std::size_t k = 0; k < count; ++k) {
     std::array<float, 9> x{};
     std::memcpy(x.data(), bytes.data() + header_size + k * facet_size + normal_size, sizeof x);
-    found.add({Point{x[0], x[1], x[2]}, Point{x[3], x[4], x[5]}, Point{x[6], x[7], x[8]}});
+    found.add({Vec3{x[0], x[1], x[2]}, Vec3{x[3], x[4], x[5]}, Vec3{x[6], x[7], x[8]}});
   }
   return found.take();
 }
@@ -133,8 +132,8 @@ void parse_facet(Words& words, Collector& found) {
   for (int k = 0; k < 3; ++k) (void)words.next();  // not used; some programs write nan for slivers
   words.expect("outer");
   words.expect("loop");
-  std::array<Point, 3> corners{};
-  for (Point& corner : corners) {
+  std::array<Vec3, 3> corners{};
+  for (Vec3& corner : corners) {
     words.expect("vertex");
     for (double& x : corner) x = words.number();
   }

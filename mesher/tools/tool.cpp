@@ -7,35 +7,29 @@
 
 #include "core/error.hpp"
 #include "core/files/digest.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/tools/surface_file.hpp"
 #include "mesher/tools/triangle_report.hpp"
 
 namespace weaveform {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector unit(const Vector& a, double sign = 1.0) {
-  const double size = std::hypot(a[0], a[1], a[2]);
-  return {sign * a[0] / size, sign * a[1] / size, sign * a[2] / size};
-}
-
 // The way the tool faces.
-Vector default_direction(const Tool& tool) {
+Vec3 default_direction(const Tool& tool) {
   switch (tool.shape) {
     case ToolShape::plane:
     case ToolShape::ring:
       return tool.start.axis;
     case ToolShape::sphere:
-      return unit(tool.start.axis, -1.0);
+      return scaled(unit(tool.start.axis), -1.0);
     default:
       return {0.0, 0.0, -1.0};
   }
 }
 
 // Touching the flat blank at its centre, from the side that its axis says.
-Vector touching_position(const Tool& tool, const BlankSpec& blank) {
-  Vector position = blank.position;
+Vec3 touching_position(const Tool& tool, const BlankSpec& blank) {
+  Vec3 position = blank.position;
   const double up = tool.start.axis[2] > 0.0 ? 1.0 : -1.0;
   position[2] += tool.shape == ToolShape::sphere ? up * (tool.radius + tool.offset) : -up * tool.offset;
   return position;
@@ -66,12 +60,12 @@ void check_proportion(const TriangleList& list, const ToolSpec& spec, const Scen
 
 // A point, seen from the tool, on the side where the fabric is: the flat blank's centre, or far back along the way in
 // which a blank that starts draped over this tool is projected on it.
-Vector side_of_the_blank(const ToolSpec& spec, const Scene& scene) {
-  Vector point = scene.blank.position;
+Vec3 side_of_the_blank(const ToolSpec& spec, const Scene& scene) {
+  Vec3 point = scene.blank.position;
   for (int c = 0; c < 3; ++c) point[c] -= spec.position ? (*spec.position)[c] : 0.0;
   if (!scene.drape || scene.drape->tool != spec.name) return point;
   constexpr double far = 1e6;  // mm
-  const Vector way = unit(scene.drape->projection);
+  const Vec3 way = unit(scene.drape->projection);
   for (int c = 0; c < 3; ++c) point[c] -= far * way[c];
   return point;
 }
@@ -133,7 +127,7 @@ double cell_edge_of(const Mesh& mesh) {
 void triangle_distances(const TriangleSurface& surface, const Placement& place, const Coordinates& x, int count,
                         int* hint, Distances& out) {
   for (int n = 0; n < count; ++n) {
-    const Vector local = {x[0][n] - place.origin[0], x[1][n] - place.origin[1], x[2][n] - place.origin[2]};
+    const Vec3 local = {x[0][n] - place.origin[0], x[1][n] - place.origin[1], x[2][n] - place.origin[2]};
     const SurfaceDistance found = surface.distance(local, hint == nullptr ? 0 : hint[n]);
     if (hint != nullptr) hint[n] = found.triangle;
     out.distance[n] = found.distance;

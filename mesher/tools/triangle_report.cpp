@@ -15,39 +15,27 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/vector/vector.hpp"
 
 namespace weaveform {
 namespace {
 
-using Point3 = std::array<double, 3>;
 using Triangle = std::array<int, 3>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-Point3 minus(const Point3& a, const Point3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Point3& a, const Point3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double length(const Point3& a) {
-  return std::sqrt(dot(a, a));
-}
-
-Point3 doubled_area(const TriangleList& list, const Triangle& t) {
+Vec3 doubled_area(const TriangleList& list, const Triangle& t) {
   return cross(minus(list.point[t[1]], list.point[t[0]]), minus(list.point[t[2]], list.point[t[0]]));
 }
 double longest_side(const TriangleList& list, const Triangle& t) {
   double longest = 0.0;
-  for (int k = 0; k < 3; ++k) longest = std::max(longest, length(minus(list.point[t[k]], list.point[t[(k + 1) % 3]])));
+  for (int k = 0; k < 3; ++k)
+    longest = std::max(longest, plain_length(minus(list.point[t[k]], list.point[t[(k + 1) % 3]])));
   return longest;
 }
-Point3 centre(const TriangleList& list, const Triangle& t) {
-  Point3 sum = {0.0, 0.0, 0.0};
+Vec3 centre(const TriangleList& list, const Triangle& t) {
+  Vec3 sum = {0.0, 0.0, 0.0};
   for (const int n : t)
     for (int c = 0; c < 3; ++c) sum[c] += list.point[n][c] / 3.0;
   return sum;
@@ -64,29 +52,29 @@ void measure_box(const TriangleList& list, TriangleReport& report) {
       }
 }
 
-// Sides met once are borders, sides met twice the same way are turned.
-std::vector<std::array<int, 2>> border_sides(const TriangleList& list, TriangleReport& report) {
+// Sides met once are of a rim, sides met twice the same way are turned.
+std::vector<std::array<int, 2>> rim_sides(const TriangleList& list, TriangleReport& report) {
   std::map<std::array<int, 2>, int> side;
   for (const auto& t : list.triangle)
     for (int k = 0; k < 3; ++k) ++side[{t[k], t[(k + 1) % 3]}];
-  std::vector<std::array<int, 2>> border;
+  std::vector<std::array<int, 2>> rim;
   for (const auto& [s, count] : side) {
     const auto other = side.find({s[1], s[0]});
     if (count > 1) {
-      Point3 middle;
+      Vec3 middle;
       for (int c = 0; c < 3; ++c) middle[c] = 0.5 * (list.point[s[0]][c] + list.point[s[1]][c]);
-      report.turned.push_back({middle, length(minus(list.point[s[0]], list.point[s[1]]))});
+      report.turned.push_back({middle, plain_length(minus(list.point[s[0]], list.point[s[1]]))});
     } else if (other == side.end()) {
-      border.push_back(s);
+      rim.push_back(s);
     }
   }
-  return border;
+  return rim;
 }
 
-// Border sides joined to loops; one that encloses little for its length is a gap.
-void join_borders(const TriangleList& list, const std::vector<std::array<int, 2>>& border, TriangleReport& report) {
+// Sides of a rim joined to loops; one that encloses little for its length is a gap.
+void join_rims(const TriangleList& list, const std::vector<std::array<int, 2>>& rim, TriangleReport& report) {
   std::map<int, std::vector<int>> next;
-  for (const auto& s : border) next[s[0]].push_back(s[1]);
+  for (const auto& s : rim) next[s[0]].push_back(s[1]);
   while (!next.empty()) {
     std::vector<int> loop = {next.begin()->first};
     for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {
@@ -97,17 +85,17 @@ void join_borders(const TriangleList& list, const std::vector<std::array<int, 2>
       loop.push_back(to);
     }
     double perimeter = 0.0;
-    Point3 area = {0.0, 0.0, 0.0};
+    Vec3 area = {0.0, 0.0, 0.0};
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Point3 a = minus(list.point[loop[k]], list.point[loop[0]]),
-                   b = minus(list.point[loop[(k + 1) % loop.size()]], list.point[loop[0]]);
-      perimeter += length(minus(b, a));
-      const Point3 part = cross(a, b);
+      const Vec3 a = minus(list.point[loop[k]], list.point[loop[0]]),
+                 b = minus(list.point[loop[(k + 1) % loop.size()]], list.point[loop[0]]);
+      perimeter += plain_length(minus(b, a));
+      const Vec3 part = cross(a, b);
       for (int c = 0; c < 3; ++c) area[c] += 0.5 * part[c];
     }
     constexpr double slim =
         1e-3;  // of the perimeter squared; a circle has 0.08, a strip 250 times as long as wide has this
-    (length(area) < slim * perimeter * perimeter ? report.gaps : report.borders)
+    (plain_length(area) < slim * perimeter * perimeter ? report.gaps : report.rims)
         .push_back({list.point[loop[0]], perimeter});
   }
 }
@@ -141,7 +129,7 @@ Soup oriented_soup(const TriangleList& list) {
   Soup soup;
   for (const auto& p : list.point) soup.points.emplace_back(p[0], p[1], p[2]);
   for (const auto& t : list.triangle)
-    if (length(doubled_area(list, t)) > 0.0)
+    if (plain_length(doubled_area(list, t)) > 0.0)
       soup.polygons.push_back(
           {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
   pmp::orient_polygon_soup(soup.points, soup.polygons);
@@ -171,7 +159,7 @@ void find_intersections(const TriangleList& list, TriangleReport& report) {
   std::set<SurfaceMesh::Face_index> seen;
   for (const auto& pair : pairs) {
     if (!seen.insert(pair.first).second) continue;
-    Point3 sum = {0.0, 0.0, 0.0};
+    Vec3 sum = {0.0, 0.0, 0.0};
     double longest = 0.0;
     for (const auto halfedge : CGAL::halfedges_around_face(mesh.halfedge(pair.first), mesh)) {
       const auto &a = mesh.point(mesh.source(halfedge)), &b = mesh.point(mesh.target(halfedge));
@@ -184,7 +172,7 @@ void find_intersections(const TriangleList& list, TriangleReport& report) {
 
 std::vector<double> signed_volumes(const TriangleList& list, const std::vector<int>& piece, int count) {
   std::vector<double> volume(count, 0.0);
-  const Point3 origin = list.point[list.triangle[0][0]];  // from the surface itself, for the digits
+  const Vec3 origin = list.point[list.triangle[0][0]];  // from the surface itself, for the digits
   for (std::size_t n = 0; n < list.triangle.size(); ++n)
     volume[piece[n]] += dot(minus(list.point[list.triangle[n][0]], origin), doubled_area(list, list.triangle[n])) / 6.0;
   return volume;
@@ -203,13 +191,13 @@ TriangleReport inspect(const TriangleList& list) {
   measure_box(list, report);
   constexpr double thin = 1e-6;
   for (const auto& t : list.triangle) {
-    const double twice = length(doubled_area(list, t)), side = longest_side(list, t);
+    const double twice = plain_length(doubled_area(list, t)), side = longest_side(list, t);
     report.area += 0.5 * twice;
     if (twice <= thin * report.extent() * side) report.degenerate.push_back({centre(list, t), side});
   }
-  const auto border = border_sides(list, report);
-  report.closed = border.empty();
-  join_borders(list, border, report);
+  const auto rim = rim_sides(list, report);
+  report.closed = rim.empty();
+  join_rims(list, rim, report);
   const std::vector<int> piece = pieces_of(list, report.pieces);
   if (report.closed)
     for (const double v : signed_volumes(list, piece, report.pieces)) report.volume += v;
@@ -235,7 +223,7 @@ std::string describe_faults(const TriangleReport& report) {
 
 bool turned_inward(const TriangleList& list) {
   TriangleReport sides;
-  if (list.triangle.empty() || !border_sides(list, sides).empty()) return false;
+  if (list.triangle.empty() || !rim_sides(list, sides).empty()) return false;
   double volume = 0.0;
   const std::vector<int> one_piece(list.triangle.size(), 0);
   for (const double v : signed_volumes(list, one_piece, 1)) volume += v;
@@ -247,7 +235,7 @@ TriangleList turned_over(TriangleList list) {
   return list;
 }
 
-TriangleList turned_alike(const TriangleList& list, const Point3& outside) {
+TriangleList turned_alike(const TriangleList& list, const Vec3& outside) {
   auto [points, polygons] = with_cgal([&] { return oriented_soup(list); });
   if (polygons.empty()) throw InputError("the surface has no triangle with an area; repair it where it was made");
   TriangleList result;
@@ -267,9 +255,9 @@ TriangleList turned_alike(const TriangleList& list, const Point3& outside) {
   std::vector<double> least(count, std::numeric_limits<double>::infinity());
   for (std::size_t n = 0; n < result.triangle.size(); ++n) {
     if (!open[piece[n]]) continue;
-    const Point3 off = minus(outside, centre(result, result.triangle[n]));
-    if (length(off) >= least[piece[n]]) continue;
-    least[piece[n]] = length(off);
+    const Vec3 off = minus(outside, centre(result, result.triangle[n]));
+    if (plain_length(off) >= least[piece[n]]) continue;
+    least[piece[n]] = plain_length(off);
     sense[piece[n]] = dot(off, doubled_area(result, result.triangle[n]));
   }
   for (std::size_t n = 0; n < result.triangle.size(); ++n)

@@ -11,7 +11,7 @@ namespace weaveform {
 
 struct SurfaceFault {
   std::array<double, 3> at = {0.0, 0.0, 0.0};  // mm
-  double size = 0.0;                           // mm; length of a border or gap, longest side of a triangle
+  double size = 0.0;                           // mm; length of a rim or gap, longest side of a triangle
 };
 
 struct TriangleReport {
@@ -21,8 +21,8 @@ struct TriangleReport {
   double area = 0.0;    // mm^2
   double volume = 0.0;  // mm^3; of a closed surface, negative when its normals point inward
   bool closed = false;
-  std::vector<SurfaceFault> borders;        // loops of an open surface
-  std::vector<SurfaceFault> gaps;           // borders that enclose next to nothing: faces that should meet and do not
+  std::vector<SurfaceFault> rims;           // loops of an open surface
+  std::vector<SurfaceFault> gaps;           // rims that enclose next to nothing: faces that should meet and do not
   std::vector<SurfaceFault> degenerate;     // triangles without an area to speak of (height below 1e-6 of the extent)
   std::vector<SurfaceFault> intersections;  // a triangle that another, not its neighbour, passes through
   std::vector<SurfaceFault> turned;         // sides along which two triangles turn oppositely

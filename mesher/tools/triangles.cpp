@@ -86,7 +86,7 @@ bool is_thin(const Kernel::Triangle_3& t) {
 struct TriangleSurface::Tree {
   Triangles triangles;
   std::vector<std::array<Vector, 7>> pseudo_normal;  // per triangle and part of it (OnTriangle)
-  std::vector<std::array<bool, 7>> border;           // the same layout: part of the border of an open surface
+  std::vector<std::array<bool, 7>> rim;              // the same layout: part of the rim of an open surface
   std::vector<bool> thin;                            // per triangle
   AabbTree tree;
 
@@ -123,12 +123,12 @@ TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& wh
             where, points[a].x(), points[a].y(), points[a].z(), points[b].x(), points[b].y(), points[b].z()));
     }
   }
-  std::vector<bool> border_vertex(points.size(), false);
+  std::vector<bool> rim_vertex(points.size(), false);
   for (const auto& [edge, normal] : at_edge)
     if (at_edge.find({edge.second, edge.first}) == at_edge.end())
-      border_vertex[edge.first] = border_vertex[edge.second] = true;
+      rim_vertex[edge.first] = rim_vertex[edge.second] = true;
   tree_->pseudo_normal.resize(used.size());
-  tree_->border.resize(used.size());
+  tree_->rim.resize(used.size());
   for (std::size_t n = 0; n < used.size(); ++n) {
     const auto& t = tree_->triangles[n];
     const Vector normal = unit(CGAL::cross_product(t[1] - t[0], t[2] - t[0]));
@@ -138,8 +138,8 @@ TriangleSurface::TriangleSurface(const TriangleList& list, const std::string& wh
       pseudo[k] = unit(at_vertex[used[n][k]]);
       const auto other = at_edge.find({used[n][(k + 1) % 3], used[n][k]});
       pseudo[3 + k] = other == at_edge.end() ? normal : unit(normal + other->second);
-      tree_->border[n][k] = border_vertex[used[n][k]];
-      tree_->border[n][3 + k] = other == at_edge.end();
+      tree_->rim[n][k] = rim_vertex[used[n][k]];
+      tree_->rim[n][3 + k] = other == at_edge.end();
     }
   }
   tree_->tree.insert(tree_->triangles.begin(), tree_->triangles.end());
@@ -181,9 +181,9 @@ SurfaceDistance TriangleSurface::distance(const std::array<double, 3>& point, in
   if (size < on_surface) return {off * pseudo, {pseudo.x(), pseudo.y(), pseudo.z()}, triangle};
   const double side = off * pseudo >= 0.0 ? 1.0 : -1.0;
   const Vector normal = off * (side / size);
-  // over the surface a border's nearest point is straight below; beside it, it is not
+  // over the surface a rim's nearest point is straight below; beside it, it is not
   constexpr double aslant = 1e-6;
-  const bool beyond = tree_->border[triangle][nearest.part] && std::abs(normal * pseudo) < 1.0 - aslant;
+  const bool beyond = tree_->rim[triangle][nearest.part] && std::abs(normal * pseudo) < 1.0 - aslant;
   return {side * size, {normal.x(), normal.y(), normal.z()}, triangle, beyond};
 }
 

@@ -14,7 +14,7 @@ struct SurfaceDistance {
   double distance;               // mm; negative inside
   std::array<double, 3> normal;  // unit; outward, from the closest point of the surface to the point (or back, inside)
   int triangle;                  // the closest
-  bool beyond = false;           // the point lies past a border of an open surface, or over a hole in it
+  bool beyond = false;           // the point lies past a rim of an open surface, or over a hole in it
 };
 
 class TriangleSurface {

@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "core/chart/chart.hpp"
+#include "core/files/csv.hpp"
 #include "core/files/files.hpp"
 #include "mesher/drape/sphere_net.hpp"
 #include "mesher/mesh/vtk_file.hpp"
@@ -27,11 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double degrees = 180.0 / std::numbers::pi;  // per radian
-
-// An empty field where there is no number.
-std::string field(double value) {
-  return std::isfinite(value) ? fmt::format("{:.10g}", value) : "";
-}
 
 void write_meridians(const Forming& forming, const fs::path& directory) {
   std::string table = "azimuth_deg,arc_mm,shear_angle_deg,height_mm,radius_mm,x_mm,y_mm,z_mm\n";
@@ -151,11 +147,11 @@ void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
   ChartSeries on{.label = "on the sphere", .mark = ChartMark::points};
   ChartSeries off{.label = "elsewhere", .mark = ChartMark::points};
   ChartSeries net{.label = "inextensible net g(s)"};
-  const double fold = sphere_net_fold();
+  const double fold = sphere_net_end();
   for (std::size_t c = 0; c < fit.cell.size(); ++c) {
     const SphereNetCell& cell = fit.cell[c];
     table += fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{},{}\n", c, cell.u, cell.v, cell.s, cell.angle * degrees,
-                         field(cell.net * degrees), cell.on_sphere ? 1 : 0);
+                         csv_number(cell.net * degrees), cell.on_sphere ? 1 : 0);
     if (std::abs(cell.s) > fold) continue;
     ChartSeries& series = cell.on_sphere ? on : off;
     series.x.push_back(cell.s);

@@ -87,7 +87,7 @@ std::optional<SphereNetFit> compare_with_sphere_net(const Scene& scene, const Me
   fit.radius = sphere.tool.radius + sphere.tool.offset;
   const Vector3d pole = flat_pole(scene, mesh, fields, sphere);
   const Vector3d warp = flat_warp(scene.blank), weft = flat_weft(scene.blank);
-  const double fold = sphere_net_fold(), tolerance = contact_tolerance * mesh.thickness;
+  const double fold = sphere_net_end(), tolerance = contact_tolerance * mesh.thickness;
   const std::vector<Vec3>& flat = flat_positions(mesh);
   for (int c = 0; c < mesh.cells.size(); ++c) {
     const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];

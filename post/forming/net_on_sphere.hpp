@@ -24,7 +24,7 @@ struct SphereNetCell {
   double u = 0.0, v = 0.0;  // mm
   double s = 0.0;           // 1
   double angle = 0.0;       // rad; of the cell
-  double net = 0.0;         // rad; g(s); not a number where the net has folded, |s| > sphere_net_fold()
+  double net = 0.0;         // rad; g(s); not a number where the net has folded, |s| > sphere_net_end()
   bool on_sphere = false;   // all its nodes lie on the spherical part of the tool
 };
 

@@ -22,7 +22,7 @@ double length_of(const std::vector<int>& loop, const std::vector<Vec3>& position
 }
 
 // Sides of cells whose opposite no cell has: the node after each node. Two loops may touch in a node.
-std::map<int, std::vector<int>> border_sides(const MeshCells& cells) {
+std::map<int, std::vector<int>> outline_sides(const MeshCells& cells) {
   std::set<std::pair<int, int>> side;
   for (int c = 0; c < cells.size(); ++c)
     for (int a = cells.offset[c]; a < cells.offset[c + 1]; ++a)
@@ -36,7 +36,7 @@ std::map<int, std::vector<int>> border_sides(const MeshCells& cells) {
 }  // namespace
 
 std::vector<int> outline_nodes(const Mesh& mesh) {
-  std::map<int, std::vector<int>> after = border_sides(mesh.cells);
+  std::map<int, std::vector<int>> after = outline_sides(mesh.cells);
   std::vector<int> longest;
   double greatest = -1.0;
   while (!after.empty()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/vector/vector.hpp"
 #include "post/forming/wrinkles.hpp"
 #include "solver/bending/bending_energy.hpp"
 
@@ -31,10 +32,6 @@ Turns find_turns(const Mesh& mesh, const std::vector<Vec3>& position) {
     }
   }
   return turns;
-}
-
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 namespace weaveform {
 
 // A: both yarns of a point run from free edge to free edge; B: one of them ends in a grip; C: both do. A cell cut by a
-// line between zones is `border` and counts for none, as its angle is a mixture.
-enum class Zone { a, b, c, border };
+// line between zones is `straddling` and counts for none, as its angle is a mixture.
+enum class Zone { a, b, c, straddling };
 
 // (across, along) are a point's coordinates in the flat specimen, mm, from its centre.
 [[nodiscard]] Zone zone_of_point(const BiasSpecimen& specimen, double across, double along);

@@ -5,9 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "core/keys/choice.hpp"
 #include "post/transfer/fibre_field.hpp"
 
 namespace weaveform {
+
+enum class FibreFormat { orientation_abaqus, orientation_calculix, drape_openradioss, csv, vtu };
+constexpr auto choices_of(FibreFormat) {
+  return std::to_array<Choice<FibreFormat>>({{FibreFormat::orientation_abaqus, "orientation-abaqus"},
+                                             {FibreFormat::orientation_calculix, "orientation-calculix"},
+                                             {FibreFormat::drape_openradioss, "drape-openradioss"},
+                                             {FibreFormat::csv, "csv"},
+                                             {FibreFormat::vtu, "vtu"}});
+}
 
 struct FibreText {
   std::string text;

@@ -185,7 +185,7 @@ void Analysis::leave_checkpoint() {
 
 // Takes time, and only runs with a folder or a checkpoint need it.
 const Identity& Analysis::identity() {
-  if (identity_.empty()) identity_ = identity_of(scene_, card_, whole_, options_.program);
+  if (identity_.empty()) identity_ = identity_of(model_, options_.program);
   return identity_;
 }
 

@@ -2,65 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <string>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/files/csv.hpp"
 #include "core/files/files.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform {
-
-namespace {
-
-// A grip's name may hold a comma or a quote; such a field is quoted and its quotes are doubled (RFC 4180, 2005).
-std::string quoted(const std::string& field) {
-  if (field.find_first_of(",\"\n\r") == std::string::npos) return field;
-  std::string text = "\"";
-  for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
-}
-
-// Splits one record off the front of `text`, line end included.
-std::vector<std::string> take_record(std::string_view& text) {
-  std::vector<std::string> field(1);
-  bool inside_quotes = false;
-  std::size_t at = 0;
-  for (; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '"') {
-      const bool doubled = inside_quotes && at + 1 < text.size() && text[at + 1] == '"';
-      if (doubled)
-        field.back() += text[at++];
-      else
-        inside_quotes = !inside_quotes;
-    } else if (c == ',' && !inside_quotes) {
-      field.emplace_back();
-    } else if (c == '\n' && !inside_quotes) {
-      ++at;
-      break;
-    } else if (c != '\r' || inside_quotes) {
-      field.back() += c;
-    }
-  }
-  text.remove_prefix(at);
-  return field;
-}
-
-std::vector<double> numbers(const std::vector<std::string>& field, const std::string& where) {
-  std::vector<double> row(field.size());
-  for (std::size_t k = 0; k < field.size(); ++k) {
-    const char *begin = field[k].data(), *end = begin + field[k].size();
-    const auto [stop, error] = std::from_chars(begin, end, row[k]);
-    if (error != std::errc{} || stop != end)
-      throw InputError(fmt::format("{}: '{}' is no number; write the history anew", where, field[k]));
-  }
-  return row;
-}
-
-}  // namespace
 
 int History::index(const std::string& name) const {
   const auto found = std::find(column.begin(), column.end(), name);
@@ -89,13 +40,7 @@ std::string history_rows_text(const History& history, int first, int last) {
 }
 
 std::string history_text(const History& history, int first, int last) {
-  std::string text;
-  for (std::size_t k = 0; k < history.column.size(); ++k) {
-    if (k > 0) text += ',';
-    text += quoted(history.column[k]);
-  }
-  text += '\n';
-  return text + history_rows_text(history, first, last);
+  return csv_line(history.column) + history_rows_text(history, first, last);
 }
 
 void write_history(const History& history, const std::filesystem::path& file) {
@@ -109,14 +54,16 @@ History read_history(const std::filesystem::path& file, HistoryEnd end) {
   if (text.empty() && end == HistoryEnd::may_be_torn)
     throw InputError(fmt::format("{}: has no heading yet; go on with --resume", file.string()));
   History history;
-  history.column = take_record(text);
-  for (int line = 2; !text.empty(); ++line) {
-    const std::string where = fmt::format("{}:{}", file.string(), line);
-    const std::vector<std::string> field = take_record(text);
-    if (field.size() != history.column.size())
-      throw InputError(fmt::format("{}: {} values under {} columns; write the history anew", where, field.size(),
+  CsvReader in(text, file.string());
+  history.column = in.advance() ? in.cells() : std::vector<std::string>{""};
+  while (in.advance()) {
+    const std::size_t count = in.cells().size();
+    if (count != history.column.size())
+      throw InputError(fmt::format("{}: {} values under {} columns; write the history anew", in.place(), count,
                                    history.column.size()));
-    history.row.push_back(numbers(field, where));
+    std::vector<double> row(count);
+    for (std::size_t k = 0; k < count; ++k) row[k] = in.number(k, "write the history anew");
+    history.row.push_back(std::move(row));
   }
   return history;
 }

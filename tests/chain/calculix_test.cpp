@@ -13,7 +13,7 @@
 
 #include "mesher/mesh/mesh_io.hpp"
 #include "solver/result/result.hpp"
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
@@ -21,23 +21,15 @@ namespace fs = std::filesystem;
 using weaveform::Mesh;
 using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class Calculix : public testing::Test {
+class Calculix : public weaveform::test::CommandFolder {
 protected:
   void SetUp() override {
-    if (run("command -v ccx").exit_code != 0) GTEST_SKIP() << "ccx (calculix-ccx) is not installed";
-    write_text(tiny_scene(), file("tiny.toml"));
+    if (!has("ccx")) GTEST_SKIP() << "ccx (calculix-ccx) is not installed";
+    CommandFolder::SetUp();
   }
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  void must(const std::string& command) const {
-    const CommandResult result = run(command);
-    ASSERT_EQ(result.exit_code, 0) << command << "\n" << result.err;
-  }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
   struct Answer {
     double force = 0.0;  // N; of the moved grip along y
     double angle = 0.0;  // deg; mean over the cells of the box "middle"
@@ -103,9 +95,6 @@ protected:
     return {history.values(grip + ".force_N").back(), history.values("center.shear_angle_deg").back(), answer.force,
             answer.angle};
   }
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(Calculix, BiasExtensionGivesOurLoadAndAngle) {

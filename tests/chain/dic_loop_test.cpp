@@ -12,7 +12,7 @@
 
 #include "core/error.hpp"
 #include "post/dic/comparison/compare.hpp"
-#include "post/dic/virtual/border.hpp"
+#include "post/dic/virtual/zone_border.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace {
@@ -265,7 +265,7 @@ TEST_F(DicLoop, OutliersAreRejectedAndCounted) {
 // A sharp border through an instrument: the width of the closed form's profile (dic_instrument_test.cpp) in proportion
 // to the instrument; and a simulated border seen through it is never narrower than the instrument makes a sharp one.
 TEST_F(DicLoop, BorderWidthsGrowInProportionToTheInstrument) {
-  const auto study = dic::border_widths(path() / "pw", {2.0, 4.0, 8.0}, {});
+  const auto study = dic::zone_border_widths(path() / "pw", {2.0, 4.0, 8.0}, {});
   ASSERT_EQ(study.width.size(), 4U);
   EXPECT_NEAR(study.width[2].ideal / study.width[1].ideal, 2.0, 0.02);
   EXPECT_NEAR(study.width[3].ideal / study.width[2].ideal, 2.0, 0.02);

@@ -18,7 +18,7 @@
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/result/result.hpp"
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
@@ -26,21 +26,10 @@ namespace fs = std::filesystem;
 using weaveform::Mesh;
 using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
-using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class Export : public testing::Test {
+class Export : public weaveform::test::CommandFolder {
 protected:
-  void SetUp() override { write_text(tiny_scene(), file("tiny.toml")); }
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  void must(const std::string& command) const {
-    const CommandResult result = run(command);
-    ASSERT_EQ(result.exit_code, 0) << command << "\n" << result.err;
-  }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] bool has(const std::string& program) const { return run("command -v " + program).exit_code == 0; }
   // Everything that Weaveform alone understands taken out.
   void make_foreign(const std::string& from, const std::string& to) const {
     std::istringstream in(read_text(file(from)));
@@ -49,9 +38,6 @@ protected:
       if (line.rfind("** weaveform", 0) != 0) kept += line + "\n";
     write_text(kept, file(to));
   }
-
-private:
-  TemporaryFolder folder_;
 };
 
 // Cells of up to six nodes, jaws and tied ends.

@@ -9,14 +9,11 @@
 #include <vector>
 
 #include "mesher/mesh/mesh_io.hpp"
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
@@ -26,18 +23,14 @@ struct Opened {
   std::string file, trouble;
   long points = 0, cells = 0;
   std::string names;  // comma before and after each
-  [[nodiscard]] bool has(const std::string& name) const { return names.find("," + name + ",") != std::string::npos; }
+  [[nodiscard]] bool has(const std::string& name) const {
+    return names.find("," + name + ",") != std::string::npos;
+  }
 };
 
-class ReadBack : public testing::Test {
+class ReadBack : public weaveform::test::CommandFolder {
 protected:
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  void must(const std::string& command) const {
-    const CommandResult result = run(command);
-    ASSERT_EQ(result.exit_code, 0) << command << "\n" << result.err;
-  }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] bool has(const std::string& module) const {
+  [[nodiscard]] bool has_module(const std::string& module) const {
     return run(python + " -c 'import " + module + "'").exit_code == 0;
   }
   [[nodiscard]] std::map<std::string, Opened> opened(const std::string& reader,
@@ -83,13 +76,10 @@ protected:
   const std::vector<std::string> grids = {
       "cut/mesh.vtu", "fitted/mesh.vtu", "cut/frames/frame_0002.vtu",    "tool/mesh.vtu", "tool/frames/frame_0001.vtu",
       "fibres.vtu",   "drape/drape.vtu", "compared/stages/stage_001.vtu"};
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(ReadBack, MeshioOpensMeshesAndResults) {
-  if (!has("meshio")) GTEST_SKIP() << "python3-meshio is not installed";
+  if (!has_module("meshio")) GTEST_SKIP() << "python3-meshio is not installed";
   write_all();
   std::vector<std::string> files = grids;
   files.insert(files.end(), {"mesh.msh", "shells.inp"});
@@ -113,7 +103,7 @@ TEST_F(ReadBack, MeshioOpensMeshesAndResults) {
 
 // Our mesh through meshio, in each of the formats that both write and read: it comes in as a foreign one.
 TEST_F(ReadBack, MeshesOfMeshioComeIn) {
-  if (!has("meshio")) GTEST_SKIP() << "python3-meshio is not installed";
+  if (!has_module("meshio")) GTEST_SKIP() << "python3-meshio is not installed";
   write_text(tiny_scene(), file("tiny.toml"));
   must("weaveform mesh tiny.toml --output made --quiet");
   must("weaveform export tiny.toml --format gmsh --output mesh.msh --quiet");
@@ -128,7 +118,7 @@ TEST_F(ReadBack, MeshesOfMeshioComeIn) {
 }
 
 TEST_F(ReadBack, VtkOpensThemAll) {
-  if (!has("vtkmodules.vtkIOXML")) GTEST_SKIP() << "python3-vtk9 is not installed";
+  if (!has_module("vtkmodules.vtkIOXML")) GTEST_SKIP() << "python3-vtk9 is not installed";
   write_all();
   std::vector<std::string> files = grids;
   files.emplace_back("cut/contours.vtp");

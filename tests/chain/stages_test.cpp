@@ -5,15 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
@@ -25,17 +22,12 @@ void expect_same_files(const fs::path& one, const fs::path& other) {
   for (const auto& name : reproducible) EXPECT_EQ(read_text(one / name), read_text(other / name)) << name;
 }
 
-class Stages : public testing::Test {
+class Stages : public weaveform::test::CommandFolder {
 protected:
   void SetUp() override {
     write_text(tiny_scene(), file("tiny.toml"));
     ASSERT_EQ(run("weaveform run tiny.toml --output whole --quiet").exit_code, 0);
   }
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(Stages, OneByOneGiveTheSameFilesAsRun) {

@@ -6,7 +6,6 @@
 #include "fabric/identify/fit_spec.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/lattice/expected_size.hpp"
-#include "mesher/mesh/mesh_check.hpp"
 #include "post/dic/settings/settings.hpp"
 #include "solver/analysis/identity.hpp"
 #include "tests/fuzz/rooms.hpp"
@@ -77,7 +76,7 @@ void blank(std::string_view bytes) {
     const ExpectedSize size = expected_size(read.blank, plain_card(), read_blank_outline(read));
     if (!(size.cells < most_cells && size.crossings < most_crossings)) return;
     const Mesh mesh = build_flat_mesh(read, plain_card());
-    hold(what_is_wrong(mesh).empty());
+    hold(mesh.check().empty());
     hold(static_cast<double>(mesh.cells.size()) < 4.0 * most_cells);
   });
 }

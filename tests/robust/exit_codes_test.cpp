@@ -5,27 +5,15 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class ExitCodes : public testing::Test {
-protected:
-  void SetUp() override { write_text(tiny_scene(), folder_.path() / "tiny.toml"); }
-
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-
-private:
-  TemporaryFolder folder_;
-};
+class ExitCodes : public weaveform::test::CommandFolder {};
 
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

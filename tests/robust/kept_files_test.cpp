@@ -5,23 +5,16 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
-using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class KeptFiles : public testing::Test {
+class KeptFiles : public weaveform::test::CommandFolder {
 protected:
-  void SetUp() override { write_text(tiny_scene(), file("tiny.toml")); }
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
   // `command` is refused with a line that has `words` in it (the name of `kept` when none are given), and `kept` stays
   // what it was.
   void expect_refused(const std::string& command, const std::string& kept, std::string words = "") const {
@@ -39,9 +32,6 @@ protected:
         "[tools.plate]\nshape = \"plane\"\n[analysis]\nduration = 0.001\n[output]\nhistory = 2\nframes = 1\n",
         file(name));
   }
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(KeptFiles, AnOutlineInTheFolderItIsRunInto) {

@@ -5,15 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
@@ -24,7 +21,7 @@ std::string stopped_by(const std::string& signal, const std::string& file, const
          " $run\nwait $run\n";
 }
 
-class KilledRun : public testing::Test {
+class KilledRun : public weaveform::test::CommandFolder {
 protected:
   // A checkpoint about every hundred times what one costs.
   void SetUp() override { write_scene("0.4"); }
@@ -32,8 +29,6 @@ protected:
     write_text(tiny_scene() + "checkpoint_minutes = 0.0001\n\n[analysis]\nduration = " + duration + "\n",
                file("tiny.toml"));
   }
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
   void expect_the_whole_run() const {
     ASSERT_EQ(run("weaveform run tiny.toml --output whole --quiet").exit_code, 0);
     EXPECT_EQ(read_text(file("out/history.csv")), read_text(file("whole/history.csv")));
@@ -44,9 +39,6 @@ protected:
     EXPECT_EQ(summary.at("finished"), true);
     EXPECT_FALSE(fs::exists(file("out/checkpoint.bin")));
   }
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(KilledRun, GoesOnWithTheSameBits) {

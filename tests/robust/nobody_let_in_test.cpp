@@ -5,15 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
@@ -21,10 +19,8 @@ bool says(const CommandResult& result, const std::string& part) {
   return result.err.find(part) != std::string::npos;
 }
 
-class NobodyLetIn : public testing::Test {
+class NobodyLetIn : public weaveform::test::CommandFolder {
 protected:
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
   void write(const std::string& name, const std::string& text) const { write_text(text, file(name)); }
 
   // In a file, the first `old` after `from` becomes `fresh`.
@@ -42,9 +38,6 @@ protected:
     EXPECT_TRUE(result.exit_code == 2 || result.exit_code == 4) << command << ": " << result.exit_code << result.err;
     EXPECT_TRUE(says(result, "error: ") && says(result, name)) << command << ": " << result.err;
   }
-
-private:
-  TemporaryFolder folder_;
 };
 
 const std::string scene_of_a_file =

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
@@ -16,24 +16,15 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class ResultFolder : public testing::Test {
+class ResultFolder : public weaveform::test::CommandFolder {
 protected:
-  void SetUp() override { write_text(tiny_scene(), file("tiny.toml")); }
-
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] std::ptrdiff_t frames() const {
     const fs::directory_iterator entries(file("out/frames"));
     return std::distance(fs::begin(entries), fs::end(entries));
   }
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(ResultFolder, HoldsNoFrameOfAnOlderRun) {

@@ -5,29 +5,21 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class StreamsAndLimits : public testing::Test {
+class StreamsAndLimits : public weaveform::test::CommandFolder {
 protected:
   void SetUp() override {
     std::string scene = tiny_scene();
-    write_text(scene + "\n[analysis]\nduration = 0.004\n", folder_.path() / "tiny.toml");
+    write_text(scene + "\n[analysis]\nduration = 0.004\n", file("tiny.toml"));
   }
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-
-private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(StreamsAndLimits, ARunGoesToItsEndWithStandardOutputAndErrorClosed) {

@@ -7,29 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/run_command.hpp"
+#include "tests/support/command_folder.hpp"
 #include "tests/support/run_in_terminal.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using weaveform::test::CommandResult;
 using weaveform::test::read_text;
-using weaveform::test::run_command;
 using weaveform::test::run_in_terminal;
-using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
-class Terminal : public testing::Test {
+class Terminal : public weaveform::test::CommandFolder {
 protected:
-  void SetUp() override { write_text(tiny_scene() + "\n[analysis]\nduration = 0.2\n", folder_.path() / "tiny.toml"); }
-  [[nodiscard]] CommandResult run(const std::string& command) const { return run_command(command, folder_.path()); }
-  [[nodiscard]] const fs::path& folder() const { return folder_.path(); }
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-
-private:
-  TemporaryFolder folder_;
+  void SetUp() override { write_text(tiny_scene() + "\n[analysis]\nduration = 0.2\n", file("tiny.toml")); }
 };
 
 bool says(const std::string& text, const std::string& part) {

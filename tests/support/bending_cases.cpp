@@ -36,19 +36,11 @@ Mesh chain(int elements, const Card& card) {
   Mesh mesh;
   const double h = length / elements;
   for (int n = 0; n <= elements; ++n) {
-    mesh.nodes.position.push_back({n * h, 0.0, 0.0});
-    mesh.nodes.mass.push_back((n == 0 || n == elements ? 0.5 : 1.0) * h * card.yarn[0].linear_density);
-    mesh.nodes.crossing.push_back({n, 0});
+    const double share = n == 0 || n == elements ? 0.5 : 1.0;
+    mesh.nodes.add({n * h, 0.0, 0.0}, share * h * card.yarn[0].linear_density, {n, 0});
   }
-  for (int n = 0; n < elements; ++n) {
-    mesh.yarns.node.push_back({n, n + 1});
-    mesh.yarns.family.push_back(Family::warp);
-    mesh.yarns.rest_length.push_back(h);
-    mesh.yarns.section.push_back(card.yarn[0].section);
-    mesh.yarns.yarns.push_back(1.0);
-    mesh.yarns.jaw.push_back(0.0);
-    mesh.yarns.softening.push_back(1.0);
-  }
+  for (int n = 0; n < elements; ++n)
+    mesh.yarns.add({.node = {n, n + 1}, .rest_length = h, .section = card.yarn[0].section});
   mesh.spacing = {h, h};
   mesh.lattice_size = {elements + 1, 1};
   mesh.thickness = card.thickness;

@@ -26,7 +26,9 @@ inline std::vector<DeckBlock> deck_blocks(const std::string& text, char mark, ch
     if (!line.empty() && line[0] == comment) continue;
     if (!line.empty() && line[0] == mark)
       blocks.push_back({line, {}});
-    else if (!blocks.empty())
+    else if (blocks.empty())
+      ADD_FAILURE() << "data before any keyword: " << line;
+    else
       blocks.back().line.push_back(line);
   }
   return blocks;

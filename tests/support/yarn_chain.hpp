@@ -25,20 +25,8 @@ inline Mesh chain_mesh(int elements, double length, double section, double mass)
   mesh.spacing = {length, length};
   mesh.lattice_size = {elements + 1, 1};
   mesh.thickness = 1.0;
-  for (int n = 0; n <= elements; ++n) {
-    mesh.nodes.position.push_back({n * length, 0.0, 0.0});
-    mesh.nodes.mass.push_back(mass);
-    mesh.nodes.crossing.push_back({n, 0});
-  }
-  for (int e = 0; e < elements; ++e) {
-    mesh.yarns.node.push_back({e, e + 1});
-    mesh.yarns.family.push_back(Family::warp);
-    mesh.yarns.rest_length.push_back(length);
-    mesh.yarns.section.push_back(section);
-    mesh.yarns.yarns.push_back(1.0);
-    mesh.yarns.jaw.push_back(0.0);
-    mesh.yarns.softening.push_back(1.0);
-  }
+  for (int n = 0; n <= elements; ++n) mesh.nodes.add({n * length, 0.0, 0.0}, mass, {n, 0});
+  for (int e = 0; e < elements; ++e) mesh.yarns.add({.node = {e, e + 1}, .rest_length = length, .section = section});
   return mesh;
 }
 

@@ -54,7 +54,7 @@ TEST(DrapeNet, ExactSphereNetSolvesItsEquation) {
     EXPECT_EQ(sphere_net_angle(-s), -sphere_net_angle(s));
   }
   EXPECT_EQ(sphere_net_angle(0.0), 0.0);
-  EXPECT_NEAR(sphere_net_angle(sphere_net_fold()), pi / 2.0, 1e-12);
+  EXPECT_NEAR(sphere_net_angle(sphere_net_end()), pi / 2.0, 1e-12);
 }
 
 TEST(DrapeNet, SphereNetTendsToTheExactOneInSecondOrderInAngleAndPlace) {
@@ -227,8 +227,8 @@ TEST(DrapeNet, FoldsOnTheSphereWhereTheExactNetReachesNinetyDegrees) {
     for (int k = 0; k < cells && last == 0.0; ++k)
       if (cell_orientation(net, sphere, k, k) < 0.0) last = (k + 0.5) * h / radius;
     // along the diagonal within two cells; the first fold anywhere within 1.5 % of uv
-    EXPECT_NEAR(last, std::sqrt(sphere_net_fold()), 2.0 * h / radius);
-    EXPECT_NEAR(first, sphere_net_fold(), 0.015 * sphere_net_fold());
+    EXPECT_NEAR(last, std::sqrt(sphere_net_end()), 2.0 * h / radius);
+    EXPECT_NEAR(first, sphere_net_end(), 0.015 * sphere_net_end());
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/exchange/cell_springs.hpp"
 #include "mesher/exchange/laws.hpp"
 #include "mesher/exchange/ties.hpp"
@@ -50,10 +51,8 @@ void add_law(const std::string& set, const Points& points, std::string& out) {
   for (const auto& [elongation, force] : points) out += fmt::format("{}, {}\n", num(force), num(elongation));
 }
 
-double distance(const Mesh& mesh, const std::array<int, 2>& node) {
-  const auto& a = mesh.nodes.position[node[0]];
-  const auto& b = mesh.nodes.position[node[1]];
-  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+double start_length(const Mesh& mesh, const std::array<int, 2>& node) {
+  return distance(mesh.nodes.position[node[0]], mesh.nodes.position[node[1]]);
 }
 
 // Elements of a group of yarns that have the same table: equally long, flat and at the start.
@@ -65,7 +64,7 @@ std::vector<SameYarns> same_yarns(const Mesh& mesh, const YarnGroup& group) {
   const auto agree = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
   std::vector<SameYarns> parts;
   for (const int e : group.element) {
-    const double rest = mesh.yarns.rest_length[e], start = distance(mesh, mesh.yarns.node[e]);
+    const double rest = mesh.yarns.rest_length[e], start = start_length(mesh, mesh.yarns.node[e]);
     const auto same = std::find_if(parts.begin(), parts.end(), [&](const SameYarns& part) {
       return agree(rest, part.rest) && agree(start, part.start);
     });

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/chart/chart.hpp"
+#include "core/files/csv.hpp"
 #include "core/files/files.hpp"
 #include "post/dic/comparison/compare.hpp"
 #include "solver/result/chart_file.hpp"
@@ -25,7 +26,7 @@ Json angle(double radians) {
   return number(radians * degrees);
 }
 std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{:.7g}", value) : "";
+  return csv_number(value, 7);
 }
 
 Json motion_json(const RigidMotion& motion) {
@@ -111,7 +112,7 @@ std::string stages_csv(const Comparison& c) {
   const auto headings = [&](const std::string& name) {
     for (const char* what : {"measured_deg", "levelled_deg", "raw_deg", "difference_mean_deg", "difference_rms_deg",
                              "noise_rms_deg", "within_uncertainty"})
-      text += fmt::format(",{}.{}", name, what);
+      text += fmt::format(",{}", csv_field(fmt::format("{}.{}", name, what)));
   };
   headings("all");
   for (const FieldStatistics& zone : c.stage.front().zone) headings(zone.name);
@@ -137,7 +138,7 @@ std::string lines_csv(const Comparison& c) {
   for (std::size_t k = 0; k < c.stage.size(); ++k)
     for (const LineProfile& line : c.stage[k].line)
       for (std::size_t i = 0; i < line.distance.size(); ++i)
-        text += fmt::format("{},{},{},{},{},{},{},{}\n", k + 1, line.name, cell(line.distance[i]),
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", k + 1, csv_field(line.name), cell(line.distance[i]),
                             cell(line.place[i][0]), cell(line.place[i][1]), cell(line.measured[i] * degrees),
                             cell(line.levelled[i] * degrees), cell(line.raw[i] * degrees));
   return text;

@@ -58,7 +58,7 @@ Zones zones_of_points(const Scene& scene, const std::vector<ZoneSpec>& boxes, co
       const Vec2& p = points[i];
       const Zone zone = zone_of_point(*specimen, p[static_cast<std::size_t>(1 - specimen->axis)],
                                       p[static_cast<std::size_t>(specimen->axis)]);
-      if (zone != Zone::border) zones.point[static_cast<std::size_t>(zone)].push_back(static_cast<int>(i));
+      if (zone != Zone::straddling) zones.point[static_cast<std::size_t>(zone)].push_back(static_cast<int>(i));
     }
   }
   for (const ZoneSpec& spec : boxes) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/files/csv.hpp"
 #include "core/files/files.hpp"
 #include "core/log/plain_text.hpp"
 #include "post/dic/readers/matrix_files.hpp"
@@ -33,7 +34,7 @@ char delimiter_of(const std::string& line, const MeasurementSpec& spec) {
   if (const auto given = delimiter_named(spec.delimiter)) return *given;
   for (const char c : {';', '\t'})
     if (line.find(c) != std::string::npos) return c;
-  const auto blanks = split_cells(line, ' ');
+  const auto blanks = csv_cells(line, ' ');
   const bool by_blanks =
       blanks.size() >= least_columns &&
       std::all_of(blanks.begin(), blanks.end(), [](const auto& cell) { return std::isfinite(number_of(cell)); });
@@ -42,20 +43,13 @@ char delimiter_of(const std::string& line, const MeasurementSpec& spec) {
 
 std::vector<std::string> lines_of(const std::string& text, std::size_t most) {
   std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size() && lines.size() < most;) {
-    std::size_t end = text.find('\n', at);
-    if (end == std::string::npos) end = text.size();
-    std::string line = text.substr(at, end - at);
-    if (line.ends_with('\r')) line.pop_back();
-    lines.push_back(std::move(line));
-    at = end + 1;
-  }
+  for (TextLines all(text); lines.size() < most && all.advance();) lines.emplace_back(all.line());
   while (!lines.empty() && lines.back().find_first_not_of(" \t") == std::string::npos) lines.pop_back();
   return lines;
 }
 
 std::vector<std::string> cells_of(const std::string& line, char delimiter) {
-  auto cells = split_cells(line, delimiter);
+  auto cells = csv_cells(line, delimiter);
   if (!cells.empty() && cells.back().empty()) cells.pop_back();  // a delimiter ends the line
   return cells;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/files/csv.hpp"
 #include "fabric/identify/table_layout.hpp"
 #include "post/dic/readers/matrix_files.hpp"
 #include "post/dic/readers/readers.hpp"
@@ -64,7 +65,7 @@ std::string columns_there(const PointTable& table) {
       if (lines.size() == lines_looked_at) break;
       const auto first = line.find_first_not_of("# \t");
       if (first != std::string::npos)
-        lines.push_back({static_cast<int>(lines.size()) + 1, split_cells(line.substr(first), delimiter)});
+        lines.push_back({static_cast<int>(lines.size()) + 1, csv_cells(line.substr(first), delimiter)});
     }
     try {
       const auto layout = identify::find_table(lines, delimiter, table.file);

@@ -49,9 +49,6 @@ struct TableHints {
 // The character that [measurement] names: a Delimiter by its name, or the character itself. None: it is to be found.
 [[nodiscard]] std::optional<char> delimiter_named(const std::string& name);
 
-// Cells of a line: trimmed, without quotes; with ' ' as delimiter any number of blanks is one.
-[[nodiscard]] std::vector<std::string> split_cells(std::string_view line, char delimiter);
-
 // The number a text is, not a number when it is none.
 [[nodiscard]] double number_of(std::string_view text);
 

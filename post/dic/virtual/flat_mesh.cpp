@@ -8,16 +8,6 @@
 namespace weaveform::dic {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-double dot(const Vec2& a, const Vec2& b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-Vec2 minus(const Vec2& a, const Vec2& b) {
-  return {a[0] - b[0], a[1] - b[1]};
-}
-
 constexpr std::size_t greatest_polygon = 16;  // nodes of a cell; the mesh has 3 to 6
 
 }  // namespace

@@ -6,13 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "core/vector/vector.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/result/fields.hpp"
 
 namespace weaveform::dic {
-
-using Vec2 = std::array<double, 2>;
 
 class FlatMesh {
 public:

@@ -2,6 +2,8 @@ set(UNIT_CORE_SOURCES
   unit/core/files/owned_files_test.cpp
   unit/core/findings_test.cpp
   unit/core/chart/chart_test.cpp
+  unit/core/files/csv_test.cpp
+  unit/core/files/files_test.cpp
   unit/core/guard/guarded_test.cpp
   unit/core/instructions/instructions_test.cpp
   unit/core/keys/advice_test.cpp

@@ -13,6 +13,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/lattice/lattice_step_test.cpp
   unit/mesher/lattice/lattice_totals_test.cpp
   unit/mesher/mesh/mesh_io_test.cpp
+  unit/mesher/mesh/mesh_parts_test.cpp
   unit/mesher/mesh/vtu_grid_test.cpp
   unit/mesher/outline/dxf_outline_test.cpp
   unit/mesher/outline/outline_zoo_test.cpp

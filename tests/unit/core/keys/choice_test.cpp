@@ -7,9 +7,11 @@
 #include "core/files/csv_format.hpp"
 #include "core/keys/choice_value.hpp"
 #include "fabric/identify/choices.hpp"
+#include "mesher/exchange/export.hpp"
 #include "mesher/scene/choices.hpp"
 #include "post/dic/readers/choices.hpp"
 #include "post/dic/settings/choices.hpp"
+#include "post/transfer/write_fibre.hpp"
 
 namespace weaveform {
 namespace {
@@ -17,13 +19,13 @@ namespace {
 template <class Enum>
 class ChoiceTable : public testing::Test {};
 
-using Tables =
-    testing::Types<BlankShape, LineFit, YarnElement, SeatbeltPartner, CellElement, Formulation, Thickness, Section,
-                   YarnLaw, SymmetryUse, BlankEdge, Component, ToolShape, StepBound, LengthUnit, Delimiter, DecimalSign,
-                   identify::ShearSource, identify::FormAsked, identify::TestedYarn, identify::StrainKind,
-                   identify::StressKind, dic::MeasurementFormat, dic::MeasuredUnit, dic::YAxis, dic::PositionOf,
-                   dic::GridZeros, dic::MatchBy, dic::RegistrationMethod, dic::SpecimenMotion, dic::FieldSymmetry,
-                   dic::FieldsWritten, study::Finer, study::ErrorReference, study::BisectionScale>;
+using Tables = testing::Types<BlankShape, LineFit, YarnElement, SeatbeltPartner, CellElement, Formulation, Thickness,
+                              Section, YarnLaw, SymmetryUse, BlankEdge, Component, ToolShape, StepBound, LengthUnit,
+                              Delimiter, DecimalSign, identify::ShearSource, identify::FormAsked, identify::TestedYarn,
+                              identify::StrainKind, identify::StressKind, dic::MeasurementFormat, dic::MeasuredUnit,
+                              dic::YAxis, dic::PositionOf, dic::GridZeros, dic::MatchBy, dic::RegistrationMethod,
+                              dic::SpecimenMotion, dic::FieldSymmetry, dic::FieldsWritten, study::Finer,
+                              study::ErrorReference, study::BisectionScale, MeshFormat, Materials, FibreFormat>;
 TYPED_TEST_SUITE(ChoiceTable, Tables);
 
 // In the order of the enum, so that none can be left out.

@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/drape/flat_pattern.hpp"
 #include "mesher/drape/sphere_net.hpp"
 #include "mesher/lattice/build.hpp"
@@ -62,10 +63,6 @@ void expect_in(const std::string& part, const std::string& text) {
   EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in\n" << text;
 }
 
-double length_of(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 TEST(Drape, EveryYarnKeepsItsLengthAndEveryCrossingLiesHalfAThicknessOffTheTool) {
   const Draped d(blank + dome + drape_table);
   ASSERT_TRUE(d.drape.whole());
@@ -73,7 +70,7 @@ TEST(Drape, EveryYarnKeepsItsLengthAndEveryCrossingLiesHalfAThicknessOffTheTool)
   for (int n = 0; n < d.mesh.node_count(); ++n) {
     ASSERT_TRUE(d.drape.placed[n] != 0);
     if (d.mesh.nodes.crossing[n][0] < 0) continue;
-    EXPECT_NEAR(length_of(d.drape.position[n], {0, 0, -75}), 75.0 + 0.5 * d.mesh.thickness, 1e-9);
+    EXPECT_NEAR(distance(d.drape.position[n], Vec3{0, 0, -75}), 75.0 + 0.5 * d.mesh.thickness, 1e-9);
   }
 }
 
@@ -121,7 +118,7 @@ TEST(Drape, ANarrowBlankAcrossTheYarnsLiesOnAPlaneAsItWas) {
   const double z = -20.0 + 0.5 * d.mesh.thickness;
   for (int n = 0; n < d.mesh.node_count(); ++n) {
     const auto& flat = d.mesh.nodes.position[n];
-    EXPECT_LT(length_of(d.drape.position[n], {flat[0], flat[1], z}), 1e-9);
+    EXPECT_LT(distance(d.drape.position[n], Vec3{flat[0], flat[1], z}), 1e-9);
   }
 }
 
@@ -142,7 +139,7 @@ TEST(Drape, AnchorAndSeedSayWhichPointLiesWhere) {
   const Draped d(blank + dome + drape_table + "anchor = [30, -20]\nseed = [0, 45, -15]\n");
   double least = 1e9;
   for (int n = 0; n < d.mesh.node_count(); ++n) {
-    if (length_of(d.drape.position[n], d.drape.seed) > 1e-9) continue;
+    if (distance(d.drape.position[n], d.drape.seed) > 1e-9) continue;
     const double angle = 10.0 * std::numbers::pi / 180.0;
     const double x = 30.0 * std::cos(angle) + 20.0 * std::sin(angle);
     const double y = 30.0 * std::sin(angle) - 20.0 * std::cos(angle);
@@ -164,7 +161,7 @@ TEST(Drape, AGivenCurveThatIsAGeodesicGivesTheSameNet) {
   ASSERT_TRUE(led.drape.whole());
   EXPECT_LT(led.drape.length_error, 1e-9);
   for (int n = 0; n < free.mesh.node_count(); ++n)
-    EXPECT_LT(length_of(free.drape.position[n], led.drape.position[n]),
+    EXPECT_LT(distance(free.drape.position[n], led.drape.position[n]),
               1e-4);  // the curve has six digits after the point
 }
 
@@ -217,8 +214,8 @@ TEST(Drape, CellsCutByTheBlanksEdgeHaveTheNetsAngleAtTheirCentre) {
     std::array<double, 2> seed = {0.0, 0.0};
     double nearest = 1e9;
     for (int n = 0; n < d.mesh.node_count(); ++n) {
-      if (d.mesh.nodes.crossing[n][0] < 0 || length_of(d.drape.position[n], d.drape.seed) > nearest) continue;
-      nearest = length_of(d.drape.position[n], d.drape.seed);
+      if (d.mesh.nodes.crossing[n][0] < 0 || distance(d.drape.position[n], d.drape.seed) > nearest) continue;
+      nearest = distance(d.drape.position[n], d.drape.seed);
       seed = {d.mesh.nodes.position[n][0], d.mesh.nodes.position[n][1]};
     }
     double greatest = 0.0;
@@ -240,8 +237,8 @@ TEST(Drape, CellsCutByTheBlanksEdgeHaveTheNetsAngleAtTheirCentre) {
 TEST(Drape, FreeEndsOfTheResultLieOnTheToolAndThoseOfAStartInLine) {
   const Draped d(sphere_scene("[0, 0]"));
   for (const auto& tie : d.mesh.tie) {
-    EXPECT_NEAR(length_of(d.drape.laid[tie.node], {0, 0, -1000}), 1000.0, 1e-6);
-    EXPECT_GT(length_of(d.drape.position[tie.node], {0, 0, -1000}), 1000.5);
+    EXPECT_NEAR(distance(d.drape.laid[tie.node], Vec3{0, 0, -1000}), 1000.0, 1e-6);
+    EXPECT_GT(distance(d.drape.position[tie.node], Vec3{0, 0, -1000}), 1000.5);
   }
 }
 

@@ -12,51 +12,19 @@
 #include <string>
 #include <vector>
 
-#include "mesher/exchange/export.hpp"
 #include "mesher/exchange/gathered.hpp"
-#include "mesher/lattice/build.hpp"
-#include "mesher/scene/reader.hpp"
+#include "tests/support/deck_blocks.hpp"
+#include "tests/support/exported_example.hpp"
 
 namespace weaveform {
 namespace {
 
-constexpr double duration = 0.5;
-
-struct Case {
-  Scene scene;
-  Card card;
-  Mesh mesh;
-  explicit Case(const std::vector<std::string>& overrides, const std::string& example = "bias_extension_pw")
-      : scene(read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + example + ".toml", overrides)),
-        card(load_card(scene.fabric.material, scene.file)),
-        mesh(build_mesh(scene, card)) {}
-  [[nodiscard]] ExportedMesh written(MeshFormat format) const {
-    return export_mesh(format, scene, card, mesh, make_tools(scene, mesh), duration, "test");
-  }
-};
+using test::deck_blocks;
+using test::DeckBlock;
+using Case = test::ExportedExample;
 
 // Cut cells of up to six nodes, jaws, ties.
 const std::vector<std::string> cut = {"blank.coarsening=4", "blank.fit=none"};
-
-// Keyword blocks of a file: lines after a line that begins with `mark`; comment lines are left out.
-struct Block {
-  std::string keyword;
-  std::vector<std::string> line;
-};
-std::vector<Block> blocks_of(const std::string& text, char mark, char comment) {
-  std::vector<Block> blocks;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    if (!line.empty() && line[0] == comment) continue;
-    if (!line.empty() && line[0] == mark)
-      blocks.push_back({line, {}});
-    else if (blocks.empty())
-      ADD_FAILURE() << "data before any keyword: " << line;
-    else
-      blocks.back().line.push_back(line);
-  }
-  return blocks;
-}
 
 // A field of fixed columns; must be there whole and must be a number and nothing else.
 double field(const std::string& line, std::size_t from, std::size_t width) {
@@ -142,7 +110,7 @@ ReadBack read_lsdyna(const std::string& text) {
   ReadBack read;
   std::map<long, long> section_of;  // of a part
   std::map<long, double> area;      // of a section
-  const auto blocks = blocks_of(text, '*', '$');
+  const auto blocks = deck_blocks(text, '*', '$');
   EXPECT_EQ(blocks.front().keyword, "*KEYWORD");
   EXPECT_EQ(blocks.back().keyword, "*END");
   for (const auto& block : blocks) {
@@ -185,7 +153,7 @@ ReadBack read_openradioss(const std::string& text) {
   std::map<long, long> property_of;
   std::map<long, double> area;
   EXPECT_EQ(text.rfind("#RADIOSS STARTER\n", 0), 0U);
-  const auto blocks = blocks_of(text, '/', '#');
+  const auto blocks = deck_blocks(text, '/', '#');
   EXPECT_EQ(blocks.back().keyword, "/END");
   for (const auto& block : blocks) {
     const auto& lines = block.line;
@@ -233,8 +201,8 @@ TEST(ExportColumns, LsdynaSeatbeltsCarryTheCardsForce) {
   const std::string text = model.written(MeshFormat::lsdyna).text;
   expect_is_mesh(read_lsdyna(text), model.mesh);
   // Force by engineering strain of the first group: N = s(ln(1 + x)) A / (1 + x).
-  const auto blocks = blocks_of(text, '*', '$');
-  const auto curve = std::find_if(blocks.begin(), blocks.end(), [](const Block& block) {
+  const auto blocks = deck_blocks(text, '*', '$');
+  const auto curve = std::find_if(blocks.begin(), blocks.end(), [](const DeckBlock& block) {
     return block.keyword == "*DEFINE_CURVE" && whole(block.line[0], 0, 10) == 101;
   });
   ASSERT_NE(curve, blocks.end());
@@ -269,9 +237,9 @@ TEST(ExportColumns, TiesHoldAtTheStart) {
     // ten characters of a coefficient near 1 are eight digits, times 115 mm
     for (const double s : sum) EXPECT_NEAR(s, 0.0, 1e-5);
   };
-  for (const auto& block : blocks_of(model.written(MeshFormat::lsdyna).text, '*', '$'))
+  for (const auto& block : deck_blocks(model.written(MeshFormat::lsdyna).text, '*', '$'))
     if (block.keyword == "*CONSTRAINED_LINEAR_GLOBAL") ++dyna, check(block.line, 1, 20);
-  for (const auto& block : blocks_of(model.written(MeshFormat::openradioss).text, '/', '#'))
+  for (const auto& block : deck_blocks(model.written(MeshFormat::openradioss).text, '/', '#'))
     if (block.keyword.rfind("/MPC/", 0) == 0) ++radioss, check(block.line, 1, 30);
   EXPECT_EQ(dyna, 3 * model.mesh.tie.size());
   EXPECT_EQ(radioss, 3 * model.mesh.tie.size());
@@ -282,7 +250,7 @@ TEST(ExportColumns, GripsMoveByTheirTravelAndToolsByTheirs) {
   const std::string dyna = model.written(MeshFormat::lsdyna).text;
   double travel = 0.0;
   int motions = 0;
-  for (const auto& block : blocks_of(dyna, '*', '$')) {
+  for (const auto& block : deck_blocks(dyna, '*', '$')) {
     if (block.keyword != "*BOUNDARY_PRESCRIBED_MOTION_SET") continue;
     ++motions;
     const auto& line = block.line.at(0);
@@ -291,14 +259,14 @@ TEST(ExportColumns, GripsMoveByTheirTravelAndToolsByTheirs) {
   }
   EXPECT_EQ(motions, 6);
   EXPECT_EQ(travel, 30.0);
-  for (const auto& block : blocks_of(model.written(MeshFormat::openradioss).text, '/', '#'))
+  for (const auto& block : deck_blocks(model.written(MeshFormat::openradioss).text, '/', '#'))
     if (block.keyword.rfind("/IMPDISP/", 0) == 0) {
       EXPECT_EQ(block.line.at(1).substr(10, 10), "         Y");
       EXPECT_EQ(field(block.line.at(2), 20, 20), 30.0);
     }
   const Case formed({"blank.coarsening=8"}, "hemisphere_pw");
   int walls = 0;
-  for (const auto& block : blocks_of(formed.written(MeshFormat::lsdyna).text, '*', '$'))
+  for (const auto& block : deck_blocks(formed.written(MeshFormat::lsdyna).text, '*', '$'))
     if (block.keyword == "*RIGIDWALL_GEOMETRIC_SPHERE_MOTION_ID") {
       ++walls;
       EXPECT_EQ(field(block.line.at(3), 0, 10), 75.0) << "radius";

@@ -10,13 +10,11 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "mesher/exchange/export.hpp"
 #include "mesher/exchange/gathered.hpp"
 #include "mesher/exchange/tool_mesh.hpp"
-#include "mesher/lattice/build.hpp"
-#include "mesher/scene/reader.hpp"
 #include "tests/support/chosen.hpp"
 #include "tests/support/deck_blocks.hpp"
+#include "tests/support/exported_example.hpp"
 
 namespace weaveform {
 namespace {
@@ -26,17 +24,8 @@ using test::deck_real;
 using test::deck_whole;
 using test::DeckBlock;
 
-struct Case {
-  Scene scene;
-  Card card;
-  Mesh mesh;
-  explicit Case(const std::vector<std::string>& overrides, const std::string& example = "bias_extension_pw")
-      : scene(read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + example + ".toml", overrides)),
-        card(load_card(scene.fabric.material, scene.file)),
-        mesh(build_mesh(scene, card)) {}
-  [[nodiscard]] ExportedMesh written(MeshFormat format, const ExportOptions& options = {}) const {
-    return export_mesh(format, scene, card, mesh, make_tools(scene, mesh), 0.5, "test", options);
-  }
+struct Case : test::ExportedExample {
+  using ExportedExample::ExportedExample;
   [[nodiscard]] std::vector<DeckBlock> radioss(Materials materials = Materials::built_in) const {
     return deck_blocks(written(MeshFormat::openradioss, {.materials = materials}).text, '/', '#');
   }

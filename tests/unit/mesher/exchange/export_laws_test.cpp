@@ -10,12 +10,10 @@
 #include <vector>
 
 #include "mesher/exchange/cell_springs.hpp"
-#include "mesher/exchange/export.hpp"
 #include "mesher/exchange/gathered.hpp"
-#include "mesher/lattice/build.hpp"
-#include "mesher/scene/reader.hpp"
 #include "solver/element/yarn_law.hpp"
 #include "tests/support/deck_blocks.hpp"
+#include "tests/support/exported_example.hpp"
 
 namespace weaveform {
 namespace {
@@ -26,17 +24,9 @@ using test::deck_real;
 using test::deck_whole;
 using test::DeckCurve;
 
-struct Case {
-  Scene scene;
-  Card card;
-  Mesh mesh;
-  explicit Case(const std::vector<std::string>& overrides, const std::string& example = "bias_extension_pw")
-      : scene(read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + example + ".toml", overrides)),
-        card(load_card(scene.fabric.material, scene.file)),
-        mesh(build_mesh(scene, card)) {}
-  [[nodiscard]] std::string written(MeshFormat format) const {
-    return export_mesh(format, scene, card, mesh, make_tools(scene, mesh), 0.5, "test").text;
-  }
+struct Case : test::ExportedExample {
+  using ExportedExample::ExportedExample;
+  [[nodiscard]] std::string written(MeshFormat format) const { return ExportedExample::written(format).text; }
   // N; of yarn element e at length L, from the solver's law and the mesh (mesher/mesh/mesh.hpp).
   [[nodiscard]] double yarn_force(int e, double length) const {
     const auto& yarns = mesh.yarns;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/outline/loops.hpp"
 #include "tests/unit/mesher/lattice/lattice_zoo.hpp"
 
@@ -60,8 +61,9 @@ std::vector<Blank> outlines() {
   return blanks;
 }
 
-double cross(const std::array<double, 3>& o, const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+// The component out of the plane of (a - o) x (b - o).
+double turn_at(const Vec3& o, const Vec3& a, const Vec3& b) {
+  return cross(minus(a, o), minus(b, o))[2];
 }
 
 // Everything that must hold on any flat mesh of known area.
@@ -93,8 +95,8 @@ void check_mesh(const Mesh& mesh, const Card& card, double area, const std::stri
     const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
     double twice = 0.0;
     for (int a = begin + 1; a + 1 < end; ++a)
-      twice += cross(mesh.nodes.position[mesh.cells.node[begin]], mesh.nodes.position[mesh.cells.node[a]],
-                     mesh.nodes.position[mesh.cells.node[a + 1]]);
+      twice += turn_at(mesh.nodes.position[mesh.cells.node[begin]], mesh.nodes.position[mesh.cells.node[a]],
+                       mesh.nodes.position[mesh.cells.node[a + 1]]);
     // counter-clockwise, and no sliver: a stub shorter than a tenth of the spacing makes no cell of its own
     EXPECT_GT(0.5 * twice, 0.004 * mesh.spacing[0] * mesh.spacing[1]) << name << ": cell " << c;
   }

@@ -178,8 +178,8 @@ TEST(TriangleReport, FaultsAreFoundByPlace) {
   TriangleList open = box();
   open.triangle.pop_back();
   TriangleReport report = inspect(open);
-  ASSERT_EQ(report.borders.size(), 1U);
-  EXPECT_NEAR(report.borders[0].size, 20.0 + std::sqrt(200.0), 1e-9);
+  ASSERT_EQ(report.rims.size(), 1U);
+  EXPECT_NEAR(report.rims[0].size, 20.0 + std::sqrt(200.0), 1e-9);
 
   // the lid's corner not quite where the walls end: a slit along two edges
   TriangleList slit = box();
@@ -189,7 +189,7 @@ TEST(TriangleReport, FaultsAreFoundByPlace) {
       for (int& n : t) n = n == 7 ? 8 : n;
   report = inspect(slit);
   ASSERT_EQ(report.gaps.size(), 1U);
-  EXPECT_TRUE(report.borders.empty());
+  EXPECT_TRUE(report.rims.empty());
   EXPECT_NE(describe_faults(report).find("a gap between faces"), std::string::npos);
 
   TriangleList turned = box();

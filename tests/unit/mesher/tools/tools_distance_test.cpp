@@ -8,12 +8,11 @@
 #include <random>
 
 #include "core/error.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/tools/tool.hpp"
 
 namespace weaveform {
 namespace {
-
-using Vec3 = std::array<double, 3>;
 
 struct Answer {
   double distance;
@@ -25,10 +24,6 @@ Answer ask(const Tool& tool, const Vec3& p) {
   int hint = 0;
   tool_distances(tool, tool.start, {&p[0], &p[1], &p[2]}, 1, &hint, out);
   return {out.distance[0], {out.normal[0][0], out.normal[1][0], out.normal[2][0]}};
-}
-
-double norm(const Vec3& a) {
-  return std::hypot(a[0], a[1], a[2]);
 }
 
 Tool shape(ToolShape kind, const std::function<void(ToolSpec&)>& set = {}) {
@@ -84,7 +79,7 @@ TEST(ToolShape, NormalIsUnitAndNearestPointLiesOnTheSurface) {
   for (const Tool& tool : zoo())
     for (const auto& p : cloud(3000)) {
       const Answer a = ask(tool, p);
-      ASSERT_NEAR(norm(a.normal), 1.0, 1e-12);
+      ASSERT_NEAR(length(a.normal), 1.0, 1e-12);
       Vec3 nearest = p;
       for (int c = 0; c < 3; ++c) nearest[c] -= a.distance * a.normal[c];
       ASSERT_NEAR(ask(tool, nearest).distance, 0.0, rounding);
@@ -130,7 +125,7 @@ TEST(ToolShape, DistanceIsContinuousAcrossEveryBorder) {
         for (const double dz : {-1e-12, 0.0, 1e-12}) {
           const Vec3 q = {p[0] + dx, p[1], p[2] + dz};
           EXPECT_NEAR(ask(tool, q).distance, ask(tool, p).distance, 1e-11);
-          const double size = norm(ask(tool, q).normal);
+          const double size = length(ask(tool, q).normal);
           // a point on the axis of a cylinder or ring has no direction to its wall; it is deep inside or far outside
           if (q[0] > 0.0) {
             EXPECT_NEAR(size, 1.0, 1e-12);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "core/vector/vector.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/tools/tool.hpp"
 
@@ -102,7 +103,6 @@ TEST(ToolScene, ToolsLeftToThemselvesTouchTheBlank) {
   Scene scene = read_scene_text(hemisphere, "s.toml");
   scene.blank.position = {1.0, 2.0, 3.0};
   const auto tools = make_tools(scene, 0.5);
-  using Vec3 = std::array<double, 3>;
   EXPECT_EQ(tools[0].start.origin, (Vec3{1.0, 2.0, 3.25}));   // binder, facing down
   EXPECT_EQ(tools[1].start.origin, (Vec3{1.0, 2.0, 2.75}));   // die, facing up
   EXPECT_EQ(tools[2].start.origin, (Vec3{1.0, 2.0, 78.25}));  // punch, tip down

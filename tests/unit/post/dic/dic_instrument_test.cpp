@@ -9,10 +9,10 @@
 #include "fabric/card/card.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
-#include "post/dic/virtual/border.hpp"
 #include "post/dic/virtual/facet.hpp"
 #include "post/dic/virtual/noise.hpp"
 #include "post/dic/virtual/strain_window.hpp"
+#include "post/dic/virtual/zone_border.hpp"
 
 namespace {
 
@@ -93,7 +93,7 @@ double ramp_mean(double s, double f) {
 
 TEST(VirtualInstrument, KinkBetweenZonesIsLevelledAsTheClosedFormSays) {
   constexpr double gamma = 31.0 * degree, step = 2.0;
-  const auto field = [](const Vec2& p) { return ideal_border(p, gamma, diagonal); };
+  const auto field = [](const Vec2& p) { return ideal_zone_border(p, gamma, diagonal); };
   const Vector2d g1 = Vector2d(r, r), g2 = Vector2d(-r, r);
   Eigen::Matrix2d yarns, zone_a;
   yarns << g1, g2;
@@ -122,7 +122,7 @@ TEST(VirtualInstrument, KinkBetweenZonesIsLevelledAsTheClosedFormSays) {
 
 TEST(VirtualInstrument, IdealBorderHasTheZonesAngles) {
   constexpr double gamma = 25.0 * degree;
-  const auto field = [](const Vec2& p) { return ideal_border(p, gamma, diagonal); };
+  const auto field = [](const Vec2& p) { return ideal_zone_border(p, gamma, diagonal); };
   EXPECT_NEAR(levelled_angle(field, {30.0, -30.0}, 4.0, 2.0, 5, diagonal), gamma, 1e-12);
   EXPECT_NEAR(levelled_angle(field, {-30.0, 30.0}, 4.0, 2.0, 5, diagonal), 0.5 * gamma, 1e-12);
 }

@@ -170,7 +170,7 @@ TEST(NetOnSphere, FindsTheDifferenceFromTheNet) {
   double inside = 0.0, square = 0.0;
   for (std::size_t c = 0; c < s.size(); ++c) {
     EXPECT_NEAR(fit->cell[c].s, s[c], 1e-12);
-    if (!fit->cell[c].on_sphere || std::abs(s[c]) > sphere_net_fold()) continue;
+    if (!fit->cell[c].on_sphere || std::abs(s[c]) > sphere_net_end()) continue;
     inside += 1.0;
     square += std::abs(s[c]) > 0.5 ? off * off : 0.0;
   }

@@ -23,18 +23,10 @@ inline Mesh lattice(int columns, int rows, double spacing) {
   mesh.thickness = 0.5;
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
-      mesh.nodes.position.push_back({i * spacing, j * spacing, 0.0});
-      mesh.nodes.mass.push_back(1e-6);
-      mesh.nodes.crossing.push_back({i, j});
+      mesh.nodes.add({i * spacing, j * spacing, 0.0}, 1e-6, {i, j});
     }
   const auto add_yarn = [&](int a, int b, Family family) {
-    mesh.yarns.node.push_back({a, b});
-    mesh.yarns.family.push_back(family);
-    mesh.yarns.rest_length.push_back(spacing);
-    mesh.yarns.section.push_back(1.25);
-    mesh.yarns.yarns.push_back(1.0);
-    mesh.yarns.jaw.push_back(0.0);
-    mesh.yarns.softening.push_back(1.0);
+    mesh.yarns.add({.node = {a, b}, .family = family, .rest_length = spacing, .section = 1.25});
   };
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
@@ -44,14 +36,9 @@ inline Mesh lattice(int columns, int rows, double spacing) {
   const double c = 0.5 / spacing;
   for (int j = 0; j + 1 < rows; ++j)
     for (int i = 0; i + 1 < columns; ++i) {
-      for (const int node : {node_at(i, j, columns), node_at(i + 1, j, columns), node_at(i + 1, j + 1, columns),
-                             node_at(i, j + 1, columns)})
-        mesh.cells.node.push_back(node);
-      for (const std::array<double, 2>& g : {std::array{-c, -c}, {c, -c}, {c, c}, {-c, c}})
-        mesh.cells.coefficient.push_back(g);
-      mesh.cells.offset.push_back(static_cast<int>(mesh.cells.node.size()));
-      mesh.cells.area.push_back(spacing * spacing);
-      mesh.cells.lattice.push_back({i, j});
+      mesh.cells.add({node_at(i, j, columns), node_at(i + 1, j, columns), node_at(i + 1, j + 1, columns),
+                      node_at(i, j + 1, columns)},
+                     {{-c, -c}, {c, -c}, {c, c}, {-c, c}}, spacing * spacing, {i, j});
     }
   return mesh;
 }

@@ -13,17 +13,17 @@
 
 namespace weaveform {
 
-struct BorderAngles {
+struct OutlineAngles {
   std::vector<double> angle;       // rad; per cell, not a number for whole cells and where the net cannot tell
   std::vector<char> extrapolated;  // per cell: cut, and the net beyond the outline has no place on the tool there
 };
 
 // Crossings of the lattice `box` that cut cells need beyond the blank's own, added to `wanted`. `seed` is the mesh's
 // crossing that is (0, 0) of the box, which must reach one crossing past the mesh's lattice on every side.
-void want_border_corners(const Mesh& mesh, const std::array<int, 2>& seed, const NetBox& box,
-                         std::vector<char>& wanted);
+void want_outline_corners(const Mesh& mesh, const std::array<int, 2>& seed, const NetBox& box,
+                          std::vector<char>& wanted);
 
 // `mesh` flat.
-[[nodiscard]] BorderAngles border_angles(const Mesh& mesh, const std::array<int, 2>& seed, const DrapedNet& net);
+[[nodiscard]] OutlineAngles outline_angles(const Mesh& mesh, const std::array<int, 2>& seed, const DrapedNet& net);
 
 }  // namespace weaveform

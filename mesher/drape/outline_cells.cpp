@@ -1,4 +1,4 @@
-#include "mesher/drape/border_cells.hpp"
+#include "mesher/drape/outline_cells.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -83,8 +83,8 @@ public:
       const int a = i - seed_[0] + k % 2, b = j - seed_[1] + k / 2;
       if (!net_.box.holds(a, b)) return cell;
       const std::size_t n = net_.box.index(a, b);
-      if (net_.placed[n] != Placed::yes && net_.placed[n] != Placed::border) return cell;
-      cell.beyond = cell.beyond || net_.placed[n] == Placed::border;
+      if (net_.placed[n] != Placed::yes && net_.placed[n] != Placed::past_rim) return cell;
+      cell.beyond = cell.beyond || net_.placed[n] == Placed::past_rim;
       x[static_cast<std::size_t>(k)] = net_.position[n];
     }
     const Vector3d g1 = x[1] - x[0] + x[3] - x[2], g2 = x[2] - x[0] + x[3] - x[1];
@@ -120,8 +120,8 @@ private:
 
 }  // namespace
 
-void want_border_corners(const Mesh& mesh, const std::array<int, 2>& seed, const NetBox& box,
-                         std::vector<char>& wanted) {
+void want_outline_corners(const Mesh& mesh, const std::array<int, 2>& seed, const NetBox& box,
+                          std::vector<char>& wanted) {
   for (int c = 0; c < mesh.cells.size(); ++c) {
     if (is_whole(mesh, c)) continue;
     const auto& [i, j] = mesh.cells.lattice[c];
@@ -132,8 +132,8 @@ void want_border_corners(const Mesh& mesh, const std::array<int, 2>& seed, const
   }
 }
 
-BorderAngles border_angles(const Mesh& mesh, const std::array<int, 2>& seed, const DrapedNet& net) {
-  BorderAngles found;
+OutlineAngles outline_angles(const Mesh& mesh, const std::array<int, 2>& seed, const DrapedNet& net) {
+  OutlineAngles found;
   found.angle.assign(static_cast<std::size_t>(mesh.cells.size()), std::nan(""));
   found.extrapolated.assign(found.angle.size(), 0);
   const FlatLattice lattice(mesh);

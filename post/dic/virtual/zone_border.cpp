@@ -1,4 +1,4 @@
-#include "post/dic/virtual/border.hpp"
+#include "post/dic/virtual/zone_border.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +70,7 @@ double width_between(const MeanProfile& profile, const std::array<double, 2>& en
 double ideal_width(double angle, double facet, double step, int window) {
   const double r = std::sqrt(0.5), reach = 3.0 * (window * step + facet);
   const YarnDirections yarns = {{r, r}, {-r, r}};
-  const auto field = [&](const Vec2& place) { return ideal_border(place, angle, yarns); };
+  const auto field = [&](const Vec2& place) { return ideal_zone_border(place, angle, yarns); };
   MeanProfile profile;
   for (int i = 0; i < 4 * profile_points; ++i) {
     const double s = reach * (2.0 * i / (4 * profile_points - 1) - 1.0);
@@ -82,15 +82,15 @@ double ideal_width(double angle, double facet, double step, int window) {
 
 }  // namespace
 
-Eigen::Vector2d ideal_border(const Vec2& place, double angle, const YarnDirections& yarns) {
+Eigen::Vector2d ideal_zone_border(const Vec2& place, double angle, const YarnDirections& yarns) {
   const Eigen::Vector2d g1(yarns.g1[0], yarns.g1[1]), g2(yarns.g2[0], yarns.g2[1]), x(place[0], place[1]);
   const auto turned = [](const Eigen::Vector2d& v, double by) { return Eigen::Vector2d(Eigen::Rotation2Dd(by) * v); };
   const double first = x.dot(g1), second = x.dot(g2);
   return first * turned(g1, 0.5 * angle) + second * (second > 0.0 ? g2 : turned(g2, -0.5 * angle)) - x;
 }
 
-BorderStudy border_widths(const std::filesystem::path& result, const std::vector<double>& facet_sizes,
-                          const Settings& settings) {
+ZoneBorders zone_border_widths(const std::filesystem::path& result, const std::vector<double>& facet_sizes,
+                               const Settings& settings) {
   const Simulation simulation(result, settings.stages.grip);
   const auto specimen = find_bias_extension(simulation.scene());
   if (!specimen)
@@ -103,7 +103,7 @@ BorderStudy border_widths(const std::filesystem::path& result, const std::vector
   const YarnDirections yarns = yarn_directions(simulation.scene().blank);
   const auto profiles = profiles_of(*specimen);
 
-  BorderStudy study;
+  ZoneBorders study;
   study.travel = state.travel;
   const Angle raw = [&](const Vec2& place) {
     const int cell = flat.cell_at(place);
@@ -139,7 +139,7 @@ BorderStudy border_widths(const std::filesystem::path& result, const std::vector
   return study;
 }
 
-std::string border_table(const BorderStudy& study) {
+std::string zone_border_table(const ZoneBorders& study) {
   std::string text = fmt::format(
       "Borders at {:.3g} mm of travel; shear angle {:.1f} deg in A, {:.1f} in B, {:.1f} in C. "
       "Widths from 10 to 90 % of the way, mm.\n\n",
@@ -149,7 +149,7 @@ std::string border_table(const BorderStudy& study) {
   const auto cell = [](double width) {
     return std::isfinite(width) ? fmt::format("{:.1f}", width) : std::string("too wide");
   };
-  for (const BorderWidth& row : study.width) {
+  for (const ZoneBorderWidth& row : study.width) {
     if (row.window == 0)
       text += fmt::format("| raw | | | | {} | {} |\n", cell(row.ab), cell(row.bc));
     else

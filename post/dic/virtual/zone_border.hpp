@@ -12,25 +12,25 @@
 
 namespace weaveform::dic {
 
-struct BorderWidth {
+struct ZoneBorderWidth {
   double facet_size = 0.0, step = 0.0;  // mm; 0 for the raw field
   int window = 0;                       // points
   double ideal = 0.0;                   // mm; of a border without width through this instrument
   double ab = 0.0, bc = 0.0;            // mm; of the simulated borders A-B and B-C through it
 };
 
-struct BorderStudy {
-  double travel = 0.0;               // mm
-  std::array<double, 3> angle = {};  // rad; raw, mean over the profiles' outer fifths in zones A, B and C
-  std::vector<BorderWidth> width;    // first the raw field, then one for each facet size
+struct ZoneBorders {
+  double travel = 0.0;                 // mm
+  std::array<double, 3> angle = {};    // rad; raw, mean over the profiles' outer fifths in zones A, B and C
+  std::vector<ZoneBorderWidth> width;  // first the raw field, then one for each facet size
 };
 
 // Widths (10 to 90 % of the way, see step_width) of profiles across the middle of the borders, averaged along a part of
 // the border, in the last frame. Facets overlap by half unless the settings give a step. Throws InputError when the
 // scene is no bias extension.
-[[nodiscard]] BorderStudy border_widths(const std::filesystem::path& result, const std::vector<double>& facet_sizes,
-                                        const Settings& settings);
-[[nodiscard]] std::string border_table(const BorderStudy& study);
+[[nodiscard]] ZoneBorders zone_border_widths(const std::filesystem::path& result,
+                                             const std::vector<double>& facet_sizes, const Settings& settings);
+[[nodiscard]] std::string zone_border_table(const ZoneBorders& study);
 
 // Shear angle (rad) at a place as seen by facets of a size at a step, in a window around it, of any displacement field
 // u(Vec2) -> Eigen::Vector2d; the sides of facets and window lie along x and y.
@@ -56,6 +56,6 @@ template <class Field>
 // Displacement of inextensible, pin-jointed yarns around the border of zones A and B: both yarns turn by gamma/2 in A,
 // only those along the border in B. The border is the line through the origin along `yarns.g1`; B lies on the side of
 // `yarns.g2`. With g1, g2 at 45 and 135 deg to x and a pull along y, g1 turns by +gamma/2 and g2 by -gamma/2.
-[[nodiscard]] Eigen::Vector2d ideal_border(const Vec2& place, double angle, const YarnDirections& yarns);
+[[nodiscard]] Eigen::Vector2d ideal_zone_border(const Vec2& place, double angle, const YarnDirections& yarns);
 
 }  // namespace weaveform::dic
