@@ -1,6 +1,7 @@
 # What every target shares: include root, no contraction of a*b+c behind our back (same bits from every compiler pass).
 add_library(weaveform_options INTERFACE)
-target_include_directories(weaveform_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(weaveform_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/weaveform>)
 if(WEAVEFORM_SANITIZE)
   target_compile_options(weaveform_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(weaveform_options INTERFACE -fsanitize=address,undefined)
@@ -14,7 +15,7 @@ endif()
 # vectors, Eigen then frees what it did not allocate. Not with clang's sanitizers, which must be seen by the libraries.
 if(NOT WEAVEFORM_FUZZ)
   target_link_options(weaveform_options INTERFACE
-    $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/own_symbols.map>)
+    $<BUILD_INTERFACE:$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/own_symbols.map>>)
 endif()
 if(WEAVEFORM_COVERAGE)
   target_compile_options(weaveform_options INTERFACE --coverage)
@@ -24,8 +25,3 @@ endif()
 if(WEAVEFORM_SANITIZE OR WEAVEFORM_FUZZ OR WEAVEFORM_COVERAGE)
   set(WEAVEFORM_INSTRUMENTED ON)
 endif()
-
-# Commands: argument parsers that run once, and take longer to optimise than to compile. Nothing is lost, for what they
-# call is compiled with the libraries.
-add_library(weaveform_runs_once INTERFACE)
-target_compile_options(weaveform_runs_once INTERFACE $<$<CONFIG:Release>:-O1>)

@@ -9,17 +9,6 @@ namespace weaveform {
 
 namespace {
 
-// An edge of the cell with the half of its yarn that belongs to the cell.
-void add_yarn(Mesh& mesh, int node0, int node1, Family family, double length, double section) {
-  mesh.yarns.node.push_back({node0, node1});
-  mesh.yarns.family.push_back(family);
-  mesh.yarns.rest_length.push_back(length);
-  mesh.yarns.section.push_back(section);
-  mesh.yarns.yarns.push_back(0.5);
-  mesh.yarns.jaw.push_back(0.0);
-  mesh.yarns.softening.push_back(1.0);
-}
-
 // Nodes counter-clockwise from the corner at the lower left, the warp along x, the centre at the origin. (The mesher
 // makes blanks of three cells and more.)
 Mesh one_cell(const Card& card, const std::array<double, 2>& sides) {
@@ -29,22 +18,26 @@ Mesh one_cell(const Card& card, const std::array<double, 2>& sides) {
   mesh.thickness = card.thickness;
   const double area = sides[0] * sides[1];
   const std::array<std::array<int, 2>, 4> corner = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  for (int a = 0; a < 4; ++a) {
-    const std::array<double, 2> at = {corner[a][0] - 0.5, corner[a][1] - 0.5};
-    mesh.nodes.position.push_back({at[0] * sides[0], at[1] * sides[1], 0.0});
-    mesh.nodes.mass.push_back(0.25 * area * card.area_density());
-    mesh.nodes.crossing.push_back(corner[a]);
-    mesh.cells.node.push_back(a);
-    mesh.cells.coefficient.push_back({at[0] / sides[0], at[1] / sides[1]});
+  std::vector<Vec2> coefficient;
+  for (const auto& at_corner : corner) {
+    const Vec2 at = {at_corner[0] - 0.5, at_corner[1] - 0.5};
+    mesh.nodes.add({at[0] * sides[0], at[1] * sides[1], 0.0}, 0.25 * area * card.area_density(), at_corner);
+    coefficient.push_back({at[0] / sides[0], at[1] / sides[1]});
   }
-  mesh.cells.offset.push_back(4);
-  mesh.cells.area.push_back(area);
-  mesh.cells.lattice.push_back({0, 0});
-  const std::array<double, 2> half = {0.5 * card.yarn[0].section, 0.5 * card.yarn[1].section};
-  add_yarn(mesh, 0, 1, Family::warp, sides[0], half[0]);
-  add_yarn(mesh, 3, 2, Family::warp, sides[0], half[0]);
-  add_yarn(mesh, 0, 3, Family::weft, sides[1], half[1]);
-  add_yarn(mesh, 1, 2, Family::weft, sides[1], half[1]);
+  mesh.cells.add({0, 1, 2, 3}, coefficient, area, {0, 0});
+  // each edge has the half of its yarn that belongs to the cell
+  const auto edge = [&](int node0, int node1, Family family) {
+    const std::size_t f = family == Family::warp ? 0 : 1;
+    mesh.yarns.add({.node = {node0, node1},
+                    .family = family,
+                    .rest_length = sides[f],
+                    .section = 0.5 * card.yarn[f].section,
+                    .yarns = 0.5});
+  };
+  edge(0, 1, Family::warp);
+  edge(3, 2, Family::warp);
+  edge(0, 3, Family::weft);
+  edge(1, 2, Family::weft);
   return mesh;
 }
 

@@ -1,4 +1,4 @@
-// weaveform help [COMMAND]: what --help prints.
+// weaveform help [COMMAND]: what --help prints; the manual page and the shell's completion, for packages.
 #include <fmt/format.h>
 
 #include <memory>
@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
+#include "app/manual_page.hpp"
 #include "core/error.hpp"
 #include "core/keys/nearest_name.hpp"
 
@@ -37,7 +38,17 @@ void add_help_command(CLI::App& program) {
   auto* command = program.add_subcommand("help", "Print what the program, or one of its commands, takes");
   const auto path = std::make_shared<std::vector<std::string>>();
   command->add_option("COMMAND", *path, "A command, e.g. run, or post compare");
-  command->callback([&program, path] { print_help(program, *path); });
+  const auto page = std::make_shared<bool>(false);
+  command->add_flag("--man", *page, "Print the manual page instead, for 'man -l -'");
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("--completion", *shell, "Print the completion of command lines instead, for this shell to source")
+      ->type_name("SHELL")
+      ->check(CLI::IsMember({"bash"}));
+  command->callback([&program, path, page, shell] {
+    if (*page) return print_answer(manual_page(command_tree(program)));
+    if (!shell->empty()) return print_answer(bash_completion(command_tree(program)));
+    print_help(program, *path);
+  });
 }
 
 }  // namespace weaveform

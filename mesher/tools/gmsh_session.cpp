@@ -20,6 +20,7 @@
 #include "core/guard/guarded.hpp"
 #include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/geo_script.hpp"
+#include "mesher/tools/late_gmsh.hpp"
 #include "mesher/tools/shape_triangles.hpp"
 
 namespace weaveform {
@@ -152,6 +153,7 @@ CadFormat cad_format(const fs::path& file) {
 
 std::string with_cad_file(const fs::path& file, const CadWork& work, const fs::path& writable_folder) {
   require_regular_file(file);
+  load_gmsh();  // not in the child, which would load it anew for every file
   const CadFormat format = cad_format(file);
   const bool is_script = format == CadFormat::script;
   Guard guard{.file = file.string(),

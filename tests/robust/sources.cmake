@@ -5,6 +5,7 @@ set(ROBUST_SOURCES
   robust/checkpoint_resume_test.cpp
   robust/docs_commands_test.cpp
   robust/exit_codes_test.cpp
+  robust/formatting_test.cpp
   robust/fuzz_corpus_test.cpp
   fuzz/targets.cpp
   fuzz/scene_targets.cpp
@@ -16,6 +17,7 @@ set(ROBUST_SOURCES
   robust/interrupted_test.cpp
   robust/nobody_let_in_test.cpp
   robust/killed_run_test.cpp
+  robust/manual_test.cpp
   robust/kept_files_test.cpp
   robust/no_quiet_wrong_answer_test.cpp
   robust/quiet_libraries_test.cpp

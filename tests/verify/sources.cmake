@@ -20,9 +20,6 @@ set(VERIFY_SOURCES
   verify/stability_tool_radius_test.cpp
   verify/unit_cell_test.cpp
   verify/step_bound_test.cpp
-  support/bending_cases.cpp
-  support/elastica.cpp
-  support/static_fabric.cpp
   verify/bending_closed_forms_test.cpp
   verify/stability_compression_test.cpp
   verify/stability_formulation_test.cpp
