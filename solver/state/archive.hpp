@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/files/digest.hpp"
+
 namespace weaveform {
 
 // What a number may be.
@@ -116,6 +118,12 @@ template <class Kept>
   StateWriter writer(bytes);
   kept.archive(writer);
   return bytes;
+}
+
+// Their check sum: two states are the same when theirs are.
+template <class Kept>
+[[nodiscard]] std::uint64_t state_digest(Kept& kept) {
+  return check_sum(state_bytes(kept));
 }
 
 }  // namespace weaveform

@@ -47,7 +47,7 @@ TEST(World, GivesPliesThatDoNotTouchTheBitsOfTheirSingleRuns) {
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     test::SmallWorld alone({scenes[k]}, shared_step);
     alone.run(1200);
-    EXPECT_EQ(state_bytes(together->ply(k)), state_bytes(alone->ply(0))) << "ply " << k;
+    EXPECT_EQ(state_digest(together->ply(k)), state_digest(alone->ply(0))) << "ply " << k;
     moved = std::max(moved, std::abs(alone->ply(0).holds().displacement().back()));
   }
   EXPECT_GT(moved, 0.001) << "nothing happened";
@@ -97,7 +97,7 @@ TEST(World, AToolFeelsAllPlies) {
   EXPECT_GT(force(left_alone), 0.0);
   EXPECT_GT(force(right_alone), 0.0);
   EXPECT_DOUBLE_EQ(force(both), force(left_alone) + force(right_alone));
-  EXPECT_EQ(state_bytes(both->ply(1)), state_bytes(right_alone->ply(0)));
+  EXPECT_EQ(state_digest(both->ply(1)), state_digest(right_alone->ply(0)));
 }
 
 TEST(World, GoesOnWithTheSameBitsAfterItsArchiveWasRead) {
@@ -110,10 +110,10 @@ TEST(World, GoesOnWithTheSameBitsAfterItsArchiveWasRead) {
   StateReader reader(kept);
   resumed->archive(reader);
   EXPECT_EQ(reader.left(), 0U);
-  EXPECT_EQ(state_bytes(*resumed), kept);
+  EXPECT_EQ(state_digest(*resumed), state_digest(*run));
   run.run(300);
   resumed.run(300);
-  EXPECT_EQ(state_bytes(*resumed), state_bytes(*run));
+  EXPECT_EQ(state_digest(*resumed), state_digest(*run));
 }
 
 }  // namespace
