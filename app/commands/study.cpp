@@ -25,7 +25,7 @@ struct StudyArguments {
   std::string output;
   std::string format;  // of --export
   int jobs = 0;
-  bool collect = false, retry = false, keys = false, quiet = false;
+  bool collect = false, retry = false, keys = false, force = false, quiet = false;
 };
 
 int jobs_of(const StudyArguments& arguments, const study::Study& plan) {
@@ -54,10 +54,12 @@ void run_all(const StudyArguments& arguments, const study::Study& plan, const st
 }
 
 // Marks the folder as ours, or refuses it; who runs cases in it holds DIR/cases.
-void claim_folder(const study::Study& plan, const std::filesystem::path& directory) {
+void claim_folder(const study::Study& plan, const std::filesystem::path& directory, bool force) {
   const OutputFolder folder({.directory = directory,
                              .names = joined({study::report_files(), {"Snakefile", "cases/*"}}),
-                             .inputs = {plan.file, study::scene_path(plan)}});
+                             .inputs = {plan.file, study::scene_path(plan)},
+                             .can_force = true,
+                             .force = force});
   log_warning(folder.trouble());
 }
 
@@ -68,7 +70,8 @@ void study_command(const StudyArguments& arguments) {
   const std::vector<study::Case> cases = plan.border ? study::border_ends(plan) : study::expand(plan);
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / plan.file.stem()
                                                                    : std::filesystem::path(arguments.output);
-  if (arguments.format.empty() || !plan.border) claim_folder(plan, directory);  // a border is no workflow
+  if (arguments.format.empty() || !plan.border)
+    claim_folder(plan, directory, arguments.force);  // a border is no workflow
   if (!arguments.format.empty()) {
     study::export_snakemake(plan, cases, directory);
     if (!arguments.quiet)
@@ -109,6 +112,7 @@ void add_study_command(CLI::App& program) {
       ->check(CLI::IsMember({"snakemake"}))
       ->excludes(collect);
   command->add_flag("--keys", arguments->keys, "Print every key of a study file (Markdown)");
+  add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
   command->callback([arguments] { study_command(*arguments); });
 }

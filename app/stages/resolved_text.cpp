@@ -48,7 +48,8 @@ void add_mesh(const Resolved& model, Lines& lines) {
 
 void add_analysis(const Resolved& model, const SolveStatistics& first, Lines& lines) {
   lines.table("resolved.analysis");
-  lines.add("symmetry", model.symmetry.word(), describe(model.symmetry));
+  const std::string why = describe(model.symmetry);
+  lines.add("symmetry", model.symmetry.word(), why.substr(why.find(": ") + 2));
   lines.add("cells_solved", first.cells_solved);
   lines.add("duration", first.duration_s, "s");
   lines.add("damping", first.damping_per_s, "1/s; proportional to mass");
@@ -92,7 +93,7 @@ std::string resolved_text(const Resolved& model) {
   const auto first = solve(without_perturbation(model), {}, {.quiet = true, .most_steps = 1}).statistics;
   Lines lines;
   lines.table("resolved");
-  lines.add("program", version_line());
+  lines.add("program", std::string(version_line()));
   add_mesh(model, lines);
   add_analysis(model, first, lines);
   add_laws(model, lines);

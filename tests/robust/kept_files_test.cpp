@@ -165,6 +165,23 @@ TEST_F(KeptFiles, AStudysInputsAndForeignTables) {
   fs::create_directories(file("theirs"));
   write_text("mine", file("theirs/study.csv"));
   expect_refused("weaveform study plan.toml --output theirs", "theirs/study.csv");
+  EXPECT_EQ(run("weaveform study plan.toml --output theirs --force --quiet").exit_code, 0);
+  EXPECT_NE(read_text(file("theirs/study.csv")), "mine");
+  EXPECT_EQ(read_text(file("plan.toml")).substr(0, 5), "scene");
+}
+
+TEST_F(KeptFiles, BesideTheStagesOfAVirtualMeasurement) {
+  ASSERT_EQ(run("weaveform run tiny.toml --output out --quiet").exit_code, 0);
+  for (const char* stages : {"3", "2"}) {
+    ASSERT_EQ(
+        run(std::string("weaveform post virtual out --quiet --set instrument.facet_size=4 --set virtual.stages=") +
+            stages)
+            .exit_code,
+        0);
+    write_text("mine", file("out/virtual/stages/stage_mine.txt"));
+  }
+  EXPECT_FALSE(fs::exists(file("out/virtual/stages/stage_003.txt")));
+  EXPECT_EQ(read_text(file("out/virtual/stages/stage_mine.txt")), "mine");
 }
 
 TEST_F(KeptFiles, TheFoldersOwnSceneAsLongAsItStaysTheSame) {
