@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESControl_Reader.hxx>
@@ -12,10 +13,12 @@
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <algorithm>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "mesher/scene/scene_copy.hpp"
 #include "mesher/tools/cad_progress.hpp"
 
 namespace weaveform {
@@ -106,7 +109,10 @@ bool write_shape(const TopoDS_Shape& shape, CadFormat format, const fs::path& fi
   if (format == CadFormat::brep) return BRepTools::Write(shape, file.c_str());
   if (format != CadFormat::step) return false;
   STEPControl_Writer writer;
-  return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone && writer.Write(file.c_str()) == IFSelect_RetDone;
+  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone) return false;
+  // a file says in its beginning who wrote it, so that it can be written anew
+  APIHeaderSection_MakeHeader(writer.Model()).SetName(new TCollection_HAsciiString(written_mark));
+  return writer.Write(file.c_str()) == IFSelect_RetDone;
 }
 
 CadShape read_shape(CadFormat format, const fs::path& file) {

@@ -139,6 +139,10 @@ TEST_F(KeptFiles, InTheWayOfATool) {
   expect_refused("weaveform tool punch.stl -o ./punch.stl --force", "punch.stl");
   ASSERT_EQ(run("weaveform tool punch.stl -o other.stl --force").exit_code, 0);
   EXPECT_EQ(run("weaveform tool punch.stl -o other.stl").exit_code, 0);
+  write_text("SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 10, 10, 10};\n", file("box.geo"));
+  ASSERT_EQ(run("weaveform tool box.geo -o box.step").exit_code, 0);
+  EXPECT_EQ(run("weaveform tool box.geo -o box.step").exit_code, 0) << "ours to write anew";
+  EXPECT_EQ(run("weaveform tool box.step").exit_code, 0);
 }
 
 TEST_F(KeptFiles, InTheWayOfAUnitCell) {
