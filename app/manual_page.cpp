@@ -42,7 +42,8 @@ std::string section_of(const Command& command) {
   std::string synopsis = fmt::format("\\fBweaveform {}\\fR", command.path);
   for (const CommandOption& option : command.options)
     if (option.is_positional)
-      synopsis += fmt::format(option.is_required ? " \\fI{}\\fR" : " [\\fI{}\\fR]", escaped(option.names[0]));
+      synopsis += fmt::format(" {}\\fI{}\\fR{}", option.is_required ? "" : "[", escaped(option.names[0]),
+                              option.is_required ? "" : "]");
   std::string section =
       fmt::format(".SS {0}\n{1} [\\fIOPTIONS\\fR]\n.PP\n{2}.\n", command.path, synopsis, escaped(command.description));
   for (const CommandOption& option : command.options) section += entry_of(option);

@@ -162,7 +162,7 @@ Profile make_profile(const std::vector<std::vector<double>>& corners, const std:
   return profile;
 }
 
-ProfileDistance profile_distance(const Profile& profile, double r, double z) {
+ProfileDistance profile_distance(const Profile& profile, double r, double z) noexcept {
   const Vec2 p = {r, z};
   double least = std::numeric_limits<double>::infinity();
   Vec2 nearest = p, normal = {0.0, 1.0};

@@ -34,6 +34,6 @@ struct ProfileDistance {
   double normal_r, normal_z;  // unit; outward, from the nearest point
 };
 // Exact; at equal distance the earlier piece counts.
-[[nodiscard]] ProfileDistance profile_distance(const Profile& profile, double r, double z);
+[[nodiscard]] ProfileDistance profile_distance(const Profile& profile, double r, double z) noexcept;
 
 }  // namespace weaveform
