@@ -93,7 +93,7 @@ TEST(WorkPrecision, ChartNamesAreFileNames) {
   EXPECT_EQ(chart_name("max(a/b c)"), "work_precision_max_a_b_c_.svg");
 }
 
-Study with_reference(const std::string& kind) {
+Study with_reference(ErrorReference kind) {
   Study study;
   study.file = "s.toml";
   study.convergence = by_coarsening;
@@ -103,7 +103,7 @@ Study with_reference(const std::string& kind) {
 
 // One law judged by the limit of the other: what a setting costs against the exact, not what its own limit hides.
 TEST(WorkPrecision, OneGroupsLimitMayCountForAllCases) {
-  Study study = with_reference("limit");
+  Study study = with_reference(ErrorReference::limit);
   study.reference.limit_of = Variant{{{"model.yarn_law", "card", std::nullopt, {}}}};
   const Table table = two_laws();
   const WorkPrecision one = points(study, table);
@@ -115,7 +115,7 @@ TEST(WorkPrecision, OneGroupsLimitMayCountForAllCases) {
 }
 
 TEST(WorkPrecision, TheGroupWhoseLimitCountsMustBeOne) {
-  Study study = with_reference("limit");
+  Study study = with_reference(ErrorReference::limit);
   study.reference.limit_of = Variant{};
   EXPECT_THROW((void)points(study, two_laws()), InputError) << "two groups have a limit";
   Table table = two_laws();
@@ -126,7 +126,7 @@ TEST(WorkPrecision, TheGroupWhoseLimitCountsMustBeOne) {
 }
 
 TEST(WorkPrecision, ValuesAreNumbersOrOtherMeasuresOfTheCase) {
-  Study study = with_reference("value");
+  Study study = with_reference(ErrorReference::value);
   Table table = two_laws();
   table.measures = {"force", "ideal"};
   for (Row& row : table.row) row.value.push_back(row.value[0] - 3.0);
@@ -142,7 +142,7 @@ TEST(WorkPrecision, ValuesAreNumbersOrOtherMeasuresOfTheCase) {
 }
 
 TEST(WorkPrecision, AbsoluteErrorsAreInTheMeasuresUnit) {
-  Study study = with_reference("value");
+  Study study = with_reference(ErrorReference::value);
   study.work_precision->absolute = {"force"};
   study.reference.value = {{"force", 100.0, "", {}}};
   const WorkPrecision one = points(study, two_laws());
@@ -159,7 +159,7 @@ TEST(WorkPrecision, AbsoluteErrorsAreInTheMeasuresUnit) {
 
 // A measure that is itself an error has 0 for its reference.
 TEST(WorkPrecision, PureNumbersMayBeErrorsThemselves) {
-  Study study = with_reference("value");
+  Study study = with_reference(ErrorReference::value);
   study.work_precision->absolute = {"force"};
   study.reference.value = {{"force", 0.0, "", {}}};
   Table table = two_laws();
@@ -173,7 +173,7 @@ TEST(WorkPrecision, PureNumbersMayBeErrorsThemselves) {
 
 // Costs rise from row 0 to 3; row 1 is nearest to the reference by luck, within what is known of it.
 TEST(WorkPrecision, LuckWithinTheUncertaintyDoesNotWin) {
-  Study study = with_reference("value");
+  Study study = with_reference(ErrorReference::value);
   study.reference.value = {{"force", 100.0, "", {}}};
   study.reference.uncertainty = {{"force", 2.5, "", {}}};
   Table table = two_laws();
@@ -191,7 +191,7 @@ TEST(WorkPrecision, LuckWithinTheUncertaintyDoesNotWin) {
 
 // A choice is within a tolerance only with the uncertainty counted: error 2 % and 2.5 % of uncertainty may be 4.5 %.
 TEST(WorkPrecision, TheChoiceIsTheCheapestThatIsSurelyWithin) {
-  Study study = with_reference("value");
+  Study study = with_reference(ErrorReference::value);
   study.reference.value = {{"force", 100.0, "", {}}};
   study.reference.uncertainty = {{"force", 0.5, "", {}}};
   Table table = two_laws();
@@ -209,7 +209,7 @@ TEST(WorkPrecision, TheChoiceIsTheCheapestThatIsSurelyWithin) {
 
 // The cheapest is right in the force by chance: its angle tells.
 TEST(WorkPrecision, AChoiceForAllMeasuresIsWithinInEach) {
-  Study study = with_reference("value");
+  Study study = with_reference(ErrorReference::value);
   study.work_precision->absolute = {"angle_deg"};
   study.reference.value = {{"force", 100.0, "", {}}, {"angle_deg", 30.0, "", {}}};
   Table table = two_laws();
@@ -229,7 +229,7 @@ TEST(WorkPrecision, AChoiceForAllMeasuresIsWithinInEach) {
 }
 
 TEST(WorkPrecision, SeriesHaveAColourEach) {
-  Study study = with_reference("value");
+  Study study = with_reference(ErrorReference::value);
   study.reference.value = {{"force", 100.0, "", {}}};
   Table table = two_laws();
   EXPECT_EQ(work_precision_chart(points(study, table), table).series.size(), 2U) << "the front, and the cases";

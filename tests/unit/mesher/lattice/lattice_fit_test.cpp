@@ -145,7 +145,7 @@ TEST(LatticeFit, IsNeverWorseThanNoFitAndStaysNearTheAskedSpacing) {
       scene.grip = {grip_on("bottom"), grip_on("right")};
       std::vector<std::string> complaints;
       const auto grips = lattice::grip_regions(scene, outline, yarns, 1e-6, complaints);
-      const lattice::Vec2 asked = {9.8, 5.3};
+      const Vec2 asked = {9.8, 5.3};
       const auto fitted = lattice::fit_lines(outline, grips, asked);
       for (std::size_t axis = 0; axis < 2; ++axis) {
         EXPECT_LE(misfit(outline, grips, axis, fitted.spacing[axis], fitted.phase[1 - axis]),
@@ -220,9 +220,9 @@ TEST(LatticeFit, ASymmetricTestGetsASymmetricMesh) {
 // A strip clamped by a box ends on the outline at the box's border, not at the blank's corner.
 TEST(LatticeFit, LinesPassThroughTheEndsOfAClampedStrip) {
   Animal a = bias_extension(plain_weave(), 115.0, 260.0, 2.0);
-  a.scene.grip[0].edge.clear();
+  a.scene.grip[0].edge.reset();
   a.scene.grip[0].box = std::array<double, 4>{-60.0, -140.0, 60.0, -115.0};  // 15 mm of the blank's lower end
-  a.scene.grip[1].edge.clear();
+  a.scene.grip[1].edge.reset();
   a.scene.grip[1].box = std::array<double, 4>{-60.0, 115.0, 60.0, 140.0};
   const Mesh mesh = build_mesh(a.scene, a.card);
   for (const Family family : {Family::warp, Family::weft}) {

@@ -15,7 +15,7 @@ namespace {
 Outline polygon(const std::vector<std::vector<Vec2>>& rings) {
   Outline outline;
   for (const auto& ring : rings)
-    for (std::size_t k = 0; k < ring.size(); ++k) outline.edge.push_back({ring[k], ring[(k + 1) % ring.size()], ""});
+    for (std::size_t k = 0; k < ring.size(); ++k) outline.edge.push_back({ring[k], ring[(k + 1) % ring.size()], {}});
   return outline;
 }
 

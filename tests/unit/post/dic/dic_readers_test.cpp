@@ -557,7 +557,7 @@ TEST_F(DicReader, AnyTableThroughAMap) {
   EXPECT_DOUBLE_EQ(stages[1].displacement_field[0][0], 2.0);
   EXPECT_EQ(stages[1].failed, 1);
   EXPECT_EQ(stages[0].failed, 0);
-  spec.position = "current";
+  spec.position = dic::PositionOf::current;
   EXPECT_DOUBLE_EQ(read_stages(folder_.path() / "any.csv", spec)[1].reference[0][0], 8.0);  // 10 - 2 mm
   spec.x = "pos_x";
   EXPECT_THROW((void)read_stages(folder_.path() / "any.csv", spec), InputError);
