@@ -23,7 +23,7 @@ timed "apt install" inside /root "apt-get update -qq && DEBIAN_FRONTEND=noninter
 timed "no compiler there" no_compiler
 timed "weaveform --version" inside /root "weaveform --version"
 timed "an example" inside /root "weaveform run $examples/bias_extension_pw.toml --set blank.coarsening=2 --output out"
-timed "its results" inside /root "test -s out/summary.json -a -s out/result.pvd && ls out/*.svg"
+timed "its results" inside /root "test -s out/summary.json -a -s out/result.pvd"
 timed "a tool from CAD" inside /root "weaveform tool $examples/cad/box_punch.geo --output punch.stl"
 timed "manual page and completion" inside /root "gzip -dc /usr/share/man/man1/weaveform.1.gz | grep -q '^.SS post compare' &&
   source /usr/share/bash-completion/completions/weaveform && complete -p weaveform"

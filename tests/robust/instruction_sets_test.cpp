@@ -34,11 +34,11 @@ TEST(InstructionSets, NothingButTheInnerLoopsNeedsMoreThanTheOldestProcessor) {
   if (!has_several_sets() || !has("objdump")) GTEST_SKIP() << "one instruction set, or no objdump";
   const TemporaryFolder folder;
   // functions with wide registers, or with an instruction of AVX, FMA or BMI, once each
-  const CommandResult listed = run_command(
-      "objdump -d -C --no-show-raw-insn '" WEAVEFORM_BINARY
-      "' | awk '/^[0-9a-f]+ <.*>:$/ { name = $0 } "
-      "/%[yz]mm[0-9]|\\t(v[a-z]|andn|bextr|bls|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx|kmov)/ { print name }' | uniq",
-      folder.path());
+  const CommandResult listed = run_command("objdump -d -C --no-show-raw-insn '" WEAVEFORM_BINARY
+                                           "' | awk '/^[0-9a-f]+ <.*>:$/ { name = $0 } "
+                                           "/%[yz]mm[0-9]|\\t(v[a-z]|(andn|bextr|bls(i|r|msk)|bzhi|mulx|pdep|pext|rorx|"
+                                           "sarx|shlx|shrx)[ql]? )/ { print name }' | uniq",
+                                           folder.path());
   ASSERT_EQ(listed.exit_code, 0) << listed.err;
   std::istringstream functions(listed.out);
   int inner = 0;
