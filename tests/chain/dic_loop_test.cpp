@@ -226,7 +226,7 @@ TEST_F(DicLoop, FollowsASpecimenThatMovedAsAWhole) {
   for (std::size_t i = 0; i < stage.size(); ++i) {
     const Vec3& p = stage.reference[i];
     Vec3& u = stage.displacement_field[i];
-    const dic::Vec2 now = truth.moved({p[0] + u[0], p[1] + u[1]});
+    const weaveform::Vec2 now = truth.moved({p[0] + u[0], p[1] + u[1]});
     u = {now[0] - p[0], now[1] - p[1], u[2]};
   }
   dic::RegistrationSpec spec;
@@ -253,7 +253,7 @@ TEST_F(DicLoop, OutliersAreRejectedAndCounted) {
   stage.valid.assign(stage.size(), true);
   const auto placement = dic::place(stage, simulation, state, {}, 6.0);
   EXPECT_NEAR(placement.reference.angle, -12.0 * degree, 5.0 * placement.angle_error);
-  const dic::Vec2 centre = placement.reference.moved({90.0, -150.0});
+  const weaveform::Vec2 centre = placement.reference.moved({90.0, -150.0});
   EXPECT_NEAR(centre[0], 0.0, 5.0 * placement.shift_error + 0.002);
   EXPECT_NEAR(centre[1], 0.0, 5.0 * placement.shift_error + 0.002);
   // A wrong point is wrong by chance; few are right within 4 standard deviations of the noise, and few right ones are

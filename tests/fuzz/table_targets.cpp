@@ -32,7 +32,7 @@ void outline(std::string_view bytes) {
 // In inches, so that the tolerance is scaled; and with a layer chosen.
 void dxf(std::string_view bytes) {
   const ScratchFile file("outline.dxf", bytes);
-  for (const DxfAsked& asked : {DxfAsked{}, DxfAsked{"inch", {"cut"}}})
+  for (const DxfAsked& asked : {DxfAsked{}, DxfAsked{LengthUnit::inch, {"cut"}}})
     answered([&] {
       std::vector<std::string> complaints;
       auto loops = read_dxf_outline(file.path().string(), asked, complaints).loops;

@@ -58,7 +58,7 @@ TEST(StabilityCompression, SheetsThatBendBuckleAtEulersStrainOnEveryMesh) {
                                                std::tuple{YarnElement::beam, CellElement::membrane, 2.0},
                                                std::tuple{YarnElement::truss, CellElement::shell, 2.0},
                                                std::tuple{YarnElement::truss, CellElement::rotation_free, 4.0}}) {
-    SCOPED_TRACE(testing::Message() << yarn << " + " << cell << ", coarsening " << coarsening);
+    SCOPED_TRACE(testing::Message() << name_of(yarn) << " + " << name_of(cell) << ", coarsening " << coarsening);
     Scene scene = pressed(0.1, coarsening, yarn, cell);
     const double euler = euler_rigidity(scene), half_thickness = 0.25;  // N mm, mm
     set_rigidity(scene, 1.25 * euler);

@@ -111,7 +111,7 @@ TEST(StabilityStepFactor, CardYarnsHoldFarAboveTheBoundUntilTheyAreTaut) {
 TEST(StabilityStepFactor, LinearAndSlackYarnsHoldToTheBoundAndNoFurther) {
   for (const double slack : {0.0, 0.01, 0.02, 0.05}) {
     Scene scene = pulled(slack + 0.001, 1.0);
-    scene.model.yarn_law = slack == 0.0 ? "linear" : "slack";
+    scene.model.yarn_law = slack == 0.0 ? YarnLaw::linear : YarnLaw::slack;
     if (slack > 0.0) scene.model.slack = slack;
     SCOPED_TRACE(testing::Message() << "slack " << slack);
     const Ratios ratio = frequency_ratios(scene, slack + 0.001);
