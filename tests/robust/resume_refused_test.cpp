@@ -68,7 +68,7 @@ coarsening = 4
 [tools.plate]
 shape = "triangles"
 file = "plate.stl"
-friction = 0.1
+friction = 0.25
 travel = 1
 [tools.shells]
 shape = "triangles"
@@ -116,17 +116,17 @@ TEST_F(StoppedRun, GoesOnAsItBegan) {
 }
 
 TEST_F(StoppedRun, NotUnderAnotherScene) {
-  replace(file("scene.toml"), "friction = 0.1", "friction = 0.3");
-  expect_refused("weaveform run scene.toml --output out --resume --quiet", "tools.plate.friction: 0.1");
-  replace(file("out/scene.toml"), "friction = 0.1", "friction = 0.3");
-  expect_refused("weaveform solve out --resume --quiet", "tools.plate.friction: 0.1 in the checkpoint, 0.3 now");
+  replace(file("scene.toml"), "friction = 0.25", "friction = 0.5");
+  expect_refused("weaveform run scene.toml --output out --resume --quiet", "tools.plate.friction: 0.25");
+  replace(file("out/scene.toml"), "friction = 0.25", "friction = 0.5");
+  expect_refused("weaveform solve out --resume --quiet", "tools.plate.friction: 0.25 in the checkpoint, 0.5 now");
 }
 
 TEST_F(StoppedRun, NotWithAnotherCard) {
   replace(file("card.toml"), "[shear]", "[shear]  # the same");
   EXPECT_EQ(run_command("weaveform solve out --resume --quiet", file("")).exit_code, 0) << "a comment changes nothing";
   stop(version_line());
-  replace(file("card.toml"), "thickness = ", "thickness = 1.");
+  replace(file("card.toml"), "thickness = ", "thickness = 1");
   expect_refused_by_both("card twintex-pw: content differs");
 }
 
