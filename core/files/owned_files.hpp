@@ -9,7 +9,8 @@
 
 namespace weaveform {
 
-// Names below a folder: "history.csv", "frames/frame_#.vtu" ('#': one digit or more), "work_precision_*.svg" ('*': any
+// Names below a folder: "history.csv", "frames/frame_####.vtu" ('#': one digit or more, so that
+// '####' are four or more), "work_precision_*.svg" ('*': any
 // characters but '/'; not a '.' at the beginning of a name).
 using FileNames = std::vector<std::string>;
 

@@ -15,7 +15,7 @@ inline constexpr const char* clean_checkpoint = "checkpoint_clean.bin";  // of w
 }  // namespace file_name
 
 [[nodiscard]] inline FileNames solve_files() {
-  return {file_name::index,      std::string(file_name::frames) + "/frame_#.vtu",
+  return {file_name::index,      std::string(file_name::frames) + "/frame_####.vtu",
           file_name::history,    file_name::statistics,
           file_name::checkpoint, file_name::clean_checkpoint};
 }

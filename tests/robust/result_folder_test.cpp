@@ -72,7 +72,8 @@ TEST_F(ResultFolder, IsNamedAfterTheSceneByDefault) {
 // files are as they were, beside ours too.
 TEST_F(ResultFolder, HoldsNothingOfAnOlderSceneWhateverWroteIt) {
   const fs::path source = WEAVEFORM_SOURCE_DIR;
-  const std::string drape = "'" + (source / "examples/drape_hemisphere.toml").string() + "' --set blank.coarsening=6";
+  std::string drape = (source / "examples/drape_hemisphere.toml").string();
+  drape += " --set blank.coarsening=6";
   const auto done = [&](const std::string& command) {
     const auto result = run(command);
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;
@@ -120,10 +121,9 @@ TEST_F(ResultFolder, HoldsNothingOfAnOlderSceneWhateverWroteIt) {
 
 // A tool that came with an imported mesh is an input of the folder's own scene.
 TEST_F(ResultFolder, KeepsTheToolsThatItsOwnSceneNames) {
-  const fs::path source = WEAVEFORM_SOURCE_DIR;
   write_text(
-      "solid mine (Written by weaveform import)\nfacet normal 0 0 1\nouter loop\nvertex -200 -200 50\nvertex 200 "
-      "-200 50\nvertex 0 200 50\nendloop\nendfacet\nendsolid mine\n",
+      "solid mine (Written by weaveform import)\nfacet normal 0 0 -1\nouter loop\nvertex -200 -200 50\nvertex 0 "
+      "200 50\nvertex 200 -200 50\nendloop\nendfacet\nendsolid mine\n",
       file("plate.stl"));
   ASSERT_EQ(run("weaveform mesh tiny.toml --output out --quiet").exit_code, 0);
   fs::copy_file(file("plate.stl"), file("out/plate.stl"));

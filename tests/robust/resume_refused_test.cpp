@@ -20,7 +20,7 @@ using test::read_text;
 using test::run_command;
 using test::write_text;
 
-// Two triangles over the whole blank, 40 mm above it.
+// Two triangles over the whole blank, 40 mm below it.
 std::string plate(double z) {
   const std::string low = " -300 -300 ", height = std::to_string(z);
   const auto facet = [&](const char* b, const char* c) {
@@ -52,8 +52,8 @@ class StoppedRun : public testing::Test {
 protected:
   void SetUp() override {
     write_text(card_text_of("twintex-pw"), file("card.toml"));
-    write_text("x_mm,y_mm\n-50,-100\n50,-100\n50,100\n-50,100\n", file("blank.csv"));
-    write_text(plate(40.0), file("plate.stl"));
+    write_text("x_mm,y_mm\n-50,-100\n50,-100\n50,100\n-50,100\n-50,-100\n", file("blank.csv"));
+    write_text(plate(-40.0), file("plate.stl"));
     write_text("*Include, input=shells.inp\n", file("tool.inp"));
     write_text(shells(60.0), file("shells.inp"));
     write_text(script(80.0), file("box.geo"));
@@ -68,7 +68,7 @@ coarsening = 4
 [tools.plate]
 shape = "triangles"
 file = "plate.stl"
-friction = 0.1
+friction = 0.25
 travel = 1
 [tools.shells]
 shape = "triangles"
@@ -116,24 +116,24 @@ TEST_F(StoppedRun, GoesOnAsItBegan) {
 }
 
 TEST_F(StoppedRun, NotUnderAnotherScene) {
-  replace(file("scene.toml"), "friction = 0.1", "friction = 0.3");
-  expect_refused("weaveform run scene.toml --output out --resume --quiet", "tools.plate.friction: 0.1");
-  replace(file("out/scene.toml"), "friction = 0.1", "friction = 0.3");
-  expect_refused("weaveform solve out --resume --quiet", "tools.plate.friction: 0.1 in the checkpoint, 0.3 now");
+  replace(file("scene.toml"), "friction = 0.25", "friction = 0.5");
+  expect_refused("weaveform run scene.toml --output out --resume --quiet", "tools.plate.friction: 0.25");
+  replace(file("out/scene.toml"), "friction = 0.25", "friction = 0.5");
+  expect_refused("weaveform solve out --resume --quiet", "tools.plate.friction: 0.25 in the checkpoint, 0.5 now");
 }
 
 TEST_F(StoppedRun, NotWithAnotherCard) {
   replace(file("card.toml"), "[shear]", "[shear]  # the same");
   EXPECT_EQ(run_command("weaveform solve out --resume --quiet", file("")).exit_code, 0) << "a comment changes nothing";
   stop(version_line());
-  replace(file("card.toml"), "thickness = ", "thickness = 1.");
+  replace(file("card.toml"), "thickness = ", "thickness = 1");
   expect_refused_by_both("card twintex-pw: content differs");
 }
 
 TEST_F(StoppedRun, NotWithOtherTools) {
-  write_text(plate(41.0), file("plate.stl"));
+  write_text(plate(-41.0), file("plate.stl"));
   expect_refused_by_both("tool file plate.stl: content differs");
-  write_text(plate(40.0), file("plate.stl"));
+  write_text(plate(-40.0), file("plate.stl"));
   write_text(script(81.0), file("box.geo"));
   expect_refused_by_both("tool file box.geo: content differs");
 }

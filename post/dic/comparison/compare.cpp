@@ -288,7 +288,7 @@ private:
 FileNames comparison_files() {
   return joined({{file_name::comparison, file_name::stage_table, file_name::line_table, file_name::load_table,
                   file_name::load_chart, file_name::angle_chart},
-                 below(file_name::stage_fields, {"stage_#.csv", "stage_#.vtu", "stage_#_isolines.vtp"})});
+                 below(file_name::stage_fields, {"stage_###.csv", "stage_###.vtu", "stage_###_isolines.vtp"})});
 }
 
 Questions questions_of(const std::vector<std::string>& measurement, const Settings& settings) {

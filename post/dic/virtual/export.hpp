@@ -16,7 +16,7 @@ inline constexpr const char* default_virtual = "virtual";  // the folder below t
 }  // namespace file_name
 
 [[nodiscard]] inline FileNames virtual_files() {
-  return {std::string(file_name::stages) + "/stage_#.txt", file_name::loads, file_name::settings};
+  return {std::string(file_name::stages) + "/stage_###.txt", file_name::loads, file_name::settings};
 }
 
 struct VirtualMeasurement {
