@@ -18,8 +18,8 @@
 #include "post/dic/readers/measurement.hpp"
 #include "post/dic/settings/settings_form.hpp"
 #include "post/dic/virtual/export.hpp"
-#include "solver/result/file_names.hpp"
 #include "post/dic/virtual/zone_border.hpp"
+#include "solver/result/file_names.hpp"
 
 namespace weaveform {
 

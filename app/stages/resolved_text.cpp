@@ -77,7 +77,7 @@ void add_tool(const Resolved& model, std::size_t number, double blank_mass, Line
   const Tool& tool = model.tools[number];
   const ToolSpec& spec = model.scene.tools[number];
   lines.table("resolved.tools." + *toml_text(tool.name));
-  lines.add("shape", spec.shape);
+  lines.add("shape", name_of(spec.shape));
   if (tool.surface) lines.add("triangles", tool.surface->size());
   lines.add("position", tool.start.origin, "mm; at the start");
   lines.add("direction", tool.direction, "of its motion");

@@ -23,9 +23,7 @@ struct Opened {
   std::string file, trouble;
   long points = 0, cells = 0;
   std::string names;  // comma before and after each
-  [[nodiscard]] bool has(const std::string& name) const {
-    return names.find("," + name + ",") != std::string::npos;
-  }
+  [[nodiscard]] bool has(const std::string& name) const { return names.find("," + name + ",") != std::string::npos; }
 };
 
 class ReadBack : public weaveform::test::CommandFolder {
