@@ -21,7 +21,7 @@ mkdir -p "$folder"
 trap 'git -C "$root" worktree prune' EXIT
 
 cmake -S "$tree" -B "$tree/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DWEAVEFORM_TESTS=OFF --log-level=WARNING >&2
-cmake --build "$tree/build" --parallel "$(nproc)" --target weaveform_bench -- --quiet >&2
+cmake --build "$tree/build" --parallel "$(nproc)" --target weaveform_bench weaveform -- --quiet >&2
 
 for ((round = 1; round <= rounds; ++round)); do
   for side in base head; do
