@@ -5,6 +5,10 @@ namespace weaveform {
 
 WEAVEFORM_CHOOSE_LOOPS(RowLoops, row_loops)
 
+const RowLoops& loops_of_rows() {
+  return chosen_row_loops();
+}
+
 YarnKernels yarn_kernels(Section section, bool paper) {
   return chosen_row_loops().yarn_kernels(section, paper);
 }

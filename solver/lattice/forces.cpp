@@ -82,6 +82,7 @@ ShearLawShape shape_shear_law(const ShearCard& card) {
 }  // namespace
 
 struct FabricForces::Kernels {
+  const RowLoops& loops = loops_of_rows();
   const PackedMesh& packed;
   Team& team;
   double thickness;
@@ -255,7 +256,7 @@ struct FabricForces::Kernels {
       const Run range = reach(first - 1);
       between_rows(state, first - 1, range, s, true);
       for (int c = 0; c < 3; ++c)
-        carry_row(s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(), range.begin, range.end);
+        loops.carry_row(s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(), range.begin, range.end);
     }
     for (int j = first; j < last; ++j) {
       const Run range = reach(j);
@@ -264,8 +265,8 @@ struct FabricForces::Kernels {
       along_row(state, j, s);
       between_rows(state, j, range, s);
       for (int c = 0; c < 3; ++c)
-        assemble_row(s.along[c].data(), s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(),
-                     state.force[c].data() + static_cast<std::size_t>(j) * packed.stride, range.begin, range.end);
+        loops.assemble_row(s.along[c].data(), s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(),
+                           state.force[c].data() + static_cast<std::size_t>(j) * packed.stride, range.begin, range.end);
     }
   }
 

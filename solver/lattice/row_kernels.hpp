@@ -109,4 +109,7 @@ struct RowLoops {
   decltype(&weaveform::advance) advance;
 };
 
+// The one for this processor: for who calls row by row, and does not want to ask each time.
+[[nodiscard]] const RowLoops& loops_of_rows();
+
 }  // namespace weaveform

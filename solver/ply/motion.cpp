@@ -24,13 +24,14 @@ const Motion::Outcome& Motion::advance(State& state, std::vector<Grip>& grips, c
   const double half = 0.5 * damping_ * kick_time;
   const double keep = (1.0 - half) / (1.0 + half), kick = kick_time / (1.0 + half);
   for (auto& grip : grips) remember_velocities(grip, state);
+  const RowLoops& loops = loops_of_rows();
 
   // One sum per range and lane, added in order below: the same bits for any number of threads.
   team_.run(static_cast<int>(range_.size()), [&](int r) {
     sums_[r].fill(0.0);
     for (int c = 0; c < 3; ++c)
-      weaveform::advance(inverse_mass_.data(), mass_.data(), state.force[c].data(), state.velocity[c].data(),
-                         state.position[c].data(), keep, kick, step, range_[r].begin, range_[r].end, sums_[r].data());
+      loops.advance(inverse_mass_.data(), mass_.data(), state.force[c].data(), state.velocity[c].data(),
+                    state.position[c].data(), keep, kick, step, range_[r].begin, range_[r].end, sums_[r].data());
   });
   double sum = 0.0;
   for (const auto& range_sums : sums_)
