@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform::lattice {
 
 namespace {
@@ -70,6 +72,30 @@ void gather_nodes(const YarnNet& net, int i, int j, std::vector<int>& node) {
   ends(0, j + 1, i, false);
   add(net.node_at(i, j + 1));
   ends(1, i, j, false);
+}
+
+double corner_area(const Vec2& before, const Vec2& at, const Vec2& after) {
+  return 0.5 * std::abs(cross(minus(at, before), minus(after, before)));
+}
+
+// A cell whose corners are cut off three times or more has seven nodes or eight, and a mesh's cells six at most: the
+// yarn ends that stand out least from between their neighbours are left to the cells beside it. The fit below stays
+// exact for every homogeneous deformation.
+void leave_out_flattest(const YarnNet& net, std::vector<int>& node) {
+  constexpr std::size_t most_nodes = 6;
+  while (node.size() > most_nodes) {
+    const std::size_t count = node.size();
+    std::size_t flattest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < count; ++k) {
+      const double area =
+          corner_area(net.place[node[(k + count - 1) % count]], net.place[node[k]], net.place[node[(k + 1) % count]]);
+      if (area >= least) continue;
+      least = area;
+      flattest = k;
+    }
+    node.erase(node.begin() + static_cast<std::ptrdiff_t>(flattest));
+  }
 }
 
 // Least-squares fit of a linear map x(xi) to the nodes: with the scatter S = sum_a (xi_a - mean)(xi_a - mean)^T,
@@ -176,7 +202,10 @@ MeshCells cut_cells(const YarnNet& net, const Outline& outline) {
       if (marked[k] == 0 && !misses_crossing(net, i, j)) continue;
       const Moments inside = moments_in_box(outline, cell_box(grid, i, j));
       if (inside.area <= 1e-12 * whole_area) continue;
-      if (!quad) gather_nodes(net, i, j, node);
+      if (!quad) {
+        gather_nodes(net, i, j, node);
+        leave_out_flattest(net, node);
+      }
       if (quad || fit_gradient(net, node, coefficient)) {
         cell_at[k] = cells.size();
         cells.add(node, quad ? whole : coefficient, inside.area, {i, j});

@@ -154,7 +154,7 @@ std::string MeshCells::check(int nodes) const {
   for (std::size_t c = 0; c < area.size() && wrong.empty(); ++c) {
     if (offset[c] < 0 || offset[c + 1] > offset.back()) return fmt::format("cell {} lies outside the entries", c);
     const int count = offset[c + 1] - offset[c];
-    if (count < 3) return fmt::format("cell {} has {} nodes", c, count);
+    if (count < 3 || count > 6) return fmt::format("cell {} has {} nodes", c, count);
     wrong = wrong_nodes("cell", c, std::span(node).subspan(offset[c], count), nodes);
   }
   if (wrong.empty()) wrong = wrong_numbers({{"area of cell", area, above_zero}});
