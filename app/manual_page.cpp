@@ -50,7 +50,7 @@ std::string section_of(const Command& command) {
   return section;
 }
 
-constexpr const char* ending = R"(.SH EXIT STATUS
+constexpr const char* page_ending = R"(.SH EXIT STATUS
 .TP
 .B 0
 done
@@ -92,7 +92,7 @@ std::string manual_page(const std::vector<Command>& tree) {
   for (const CommandOption& option : tree.front().options) page += entry_of(option);
   page += ".SH COMMANDS\n";
   for (std::size_t c = 1; c < tree.size(); ++c) page += section_of(tree[c]);
-  return page + ending;
+  return page + page_ending;
 }
 
 }  // namespace weaveform

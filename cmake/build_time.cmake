@@ -10,10 +10,18 @@ endfunction()
 # weaveform_runs_once(TARGET [PATTERN]): sources (those that match) that read, check, name or write, and are done before
 # anybody has noticed, are optimised less. Arithmetic keeps its bits: neither compiler reorders it at any level.
 function(weaveform_runs_once target)
-  get_target_property(sources ${target} SOURCES)
-  if(ARGN)
-    list(FILTER sources INCLUDE REGEX ${ARGN})
+  if(NOT ARGN)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    return()
   endif()
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX ${ARGN})
   set_property(SOURCE ${sources} TARGET_DIRECTORY ${target} APPEND PROPERTY
     COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# Several files of a target at a time: what each of them makes of the same templates (argument parsing, JSON, formatting)
+# is compiled once. Their anonymous namespaces must get on with each other.
+function(weaveform_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 7)
 endfunction()

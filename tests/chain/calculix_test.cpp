@@ -43,17 +43,17 @@ protected:
     EXPECT_EQ(result.out.find("*WARNING reading"), std::string::npos) << "a word that ccx does not know";
     Answer answer;
     std::istringstream in(read_text(file(job + ".dat")));
-    enum { nothing, force, displacement } what = nothing;
+    enum class Block { nothing, forces, displacements } what = Block::nothing;
     for (std::string line; std::getline(in, line);) {
       if (line.find("total force") != std::string::npos)
-        what = line.find("set " + grip + " ") != std::string::npos ? force : nothing;
+        what = line.find("set " + grip + " ") != std::string::npos ? Block::forces : Block::nothing;
       else if (line.find("displacements") != std::string::npos)
-        what = displacement;
+        what = Block::displacements;
       std::istringstream fields(line);
       double x = 0.0, y = 0.0, z = 0.0;
       int node = 0;
-      if (what == force && fields >> x >> y >> z) answer.force = y;
-      if (what == displacement && fields >> node >> x >> y >> z) answer.displacement[node] = {x, y, z};
+      if (what == Block::forces && fields >> x >> y >> z) answer.force = y;
+      if (what == Block::displacements && fields >> node >> x >> y >> z) answer.displacement[node] = {x, y, z};
     }
     answer.angle = mean_angle(mesh, answer, half);
     return answer;

@@ -57,7 +57,7 @@ void vtu_bytes(std::string_view bytes) {
   answered([&] { static_cast<void>(mesh_of(grid, "mesh.vtu")); });
 }
 
-const Identity identity = {{"blank.size", "[1, 2]"}, {"card twintex-pw", "00ff", true}};
+const Identity of_this_run = {{"blank.size", "[1, 2]"}, {"card twintex-pw", "00ff", true}};
 // A world with every kind of member: shells, cells with a history, contact on a plane.
 test::SmallWorld& world() {
   static test::SmallWorld of_run = [] {
@@ -76,7 +76,7 @@ void archive_world(Archive& archive) {
 
 // Of a file of this run: all before the state.
 const std::string& head() {
-  static const std::string bytes = checkpoint_bytes(identity, [](Archive&) {});
+  static const std::string bytes = checkpoint_bytes(of_this_run, [](Archive&) {});
   return bytes;
 }
 
@@ -93,9 +93,9 @@ std::string forged(std::string_view body) {
 void checkpoint(std::string_view bytes) {
   answered([&] {
     const std::string file = bytes.starts_with("weaveform") ? text_of(bytes) : forged(bytes);
-    read_checkpoint(file, identity, archive_world, "checkpoint.bin", CheckSum::ignored);
+    read_checkpoint(file, of_this_run, archive_world, "checkpoint.bin", CheckSum::ignored);
     hold(unsound_member(archive_world).empty());
-    hold(file.ends_with(checkpoint_bytes(identity, archive_world).substr(head().size())));
+    hold(file.ends_with(checkpoint_bytes(of_this_run, archive_world).substr(head().size())));
   });
 }
 

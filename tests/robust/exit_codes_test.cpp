@@ -10,14 +10,11 @@
 namespace {
 
 namespace fs = std::filesystem;
+using weaveform::test::says;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
 class ExitCodes : public weaveform::test::CommandFolder {};
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST_F(ExitCodes, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(run("weaveform --help").exit_code, 0);

@@ -13,12 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 using weaveform::test::CommandResult;
 using weaveform::test::read_text;
+using weaveform::test::says;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
-
-bool says(const CommandResult& result, const std::string& part) {
-  return result.err.find(part) != std::string::npos;
-}
 
 class NobodyLetIn : public weaveform::test::CommandFolder {
 protected:

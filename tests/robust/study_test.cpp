@@ -16,13 +16,10 @@ namespace fs = std::filesystem;
 using weaveform::test::CommandResult;
 using weaveform::test::read_text;
 using weaveform::test::run_command;
+using weaveform::test::says;
 using weaveform::test::TemporaryFolder;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 class StudyRun : public testing::Test {
 protected:

@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using weaveform::test::read_text;
 using weaveform::test::run_in_terminal;
+using weaveform::test::says;
 using weaveform::test::tiny_scene;
 using weaveform::test::write_text;
 
@@ -22,10 +23,6 @@ class Terminal : public weaveform::test::CommandFolder {
 protected:
   void SetUp() override { write_text(tiny_scene() + "\n[analysis]\nduration = 0.2\n", file("tiny.toml")); }
 };
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // What was drawn from one line's begin to the next, of the bar.
 std::vector<std::string> drawn_bars(const std::string& screen) {

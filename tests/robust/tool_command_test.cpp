@@ -9,6 +9,8 @@
 namespace weaveform {
 namespace {
 
+using weaveform::test::says;
+
 class ToolCommand : public testing::Test {
 protected:
   test::CommandResult tool(const std::string& arguments) {
@@ -20,10 +22,6 @@ protected:
 private:
   test::TemporaryFolder folder_;
 };
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 const std::string box = "SetFactory(\"OpenCASCADE\");\nBox(1) = {-2, 1, 0.5, 4, 3, 2};\n";
 

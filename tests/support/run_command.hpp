@@ -34,4 +34,12 @@ void write_text(const std::string& text, const std::filesystem::path& file);
 // A bias extension of a few cells, which runs in well under a second: PW, every fourth yarn.
 [[nodiscard]] std::string tiny_scene();
 
+// Whether the text, or what the command said on standard error, has `part` in it.
+[[nodiscard]] inline bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+[[nodiscard]] inline bool says(const CommandResult& result, const std::string& part) {
+  return says(result.err, part);
+}
+
 }  // namespace weaveform::test
