@@ -1,4 +1,5 @@
-# What every target shares: include root, no contraction of a*b+c behind our back (same bits from every compiler pass).
+# What every target shares: the include root, sanitizers and the like. (Products are fused with sums where an instruction
+# set has it: core/instructions/instructions.hpp says what that means for the bits.)
 add_library(weaveform_options INTERFACE)
 target_include_directories(weaveform_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/weaveform>)
