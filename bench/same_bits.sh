@@ -48,12 +48,12 @@ run() {
 run_with_stops() {
   local binary=$1 output=$2 status=0
   stops=0
-  timeout --signal=INT 0.5 "$binary" run "$examples/bias_extension_pw.toml" --output "$output" --quiet \
-    --set blank.coarsening=4 >"$output.log" 2>&1 || status=$?
+  timeout --signal=INT 1 "$binary" run "$examples/bias_extension_pw.toml" --output "$output" --quiet \
+    --set blank.coarsening=2 >"$output.log" 2>&1 || status=$?
   while ((status == 124)); do
     status=0
     stops=$((stops + 1))
-    timeout --signal=INT 0.5 "$binary" run "$output/scene.toml" --output "$output" --resume --quiet \
+    timeout --signal=INT 1 "$binary" run "$output/scene.toml" --output "$output" --resume --quiet \
       >>"$output.log" 2>&1 || status=$?
   done
   return "$status"
@@ -86,7 +86,8 @@ for line in "${scenes[@]}"; do
   }
   compare "$name" "$work/base_$name" "$work/head_$name"
 done
+run "$base" "$work/base_stopped" bias_extension_pw blank.coarsening=2
 run_with_stops "$head" "$work/head_stopped" || { cat "$work/head_stopped.log" && exit 1; }
 ((stops > 0)) || { echo "stopped: the run was over before it was stopped" && exit 1; }
-compare "stopped $stops times" "$work/base_truss" "$work/head_stopped"
+compare "stopped $stops times" "$work/base_stopped" "$work/head_stopped"
 exit "$differences"
