@@ -13,22 +13,6 @@
 namespace weaveform::dic {
 namespace {
 
-using Named = std::pair<const char*, const std::string*>;  // key and column
-
-std::vector<Named> columns_asked(const MeasurementSpec& spec) {
-  std::vector<Named> asked;
-  for (const Named& named : {Named{"x", &spec.x},
-                             {"y", &spec.y},
-                             {"z", &spec.z},
-                             {"u", &spec.u},
-                             {"v", &spec.v},
-                             {"w", &spec.w},
-                             {"quality", &spec.quality},
-                             {"stage_column", &spec.stage_column}})
-    if (!named.second->empty()) asked.push_back(named);
-  return asked;
-}
-
 // A column's number from 1, or 0.
 std::size_t number_in(const std::string& column) {
   std::size_t number = 0;
@@ -46,7 +30,7 @@ std::optional<std::size_t> index_of(const std::vector<std::string>& heading, con
   return std::nullopt;
 }
 
-int required(const PointTable& table, const Named& named) {
+int required(const PointTable& table, const NamedColumn& named) {
   const auto index = index_of(table.heading, *named.second);
   if (index) return static_cast<int>(*index);
   throw InputError(fmt::format("{}: no column '{}' ({} of [measurement]){}", table.file, *named.second, named.first,
@@ -96,15 +80,29 @@ MeasuredStage stage_of(const PointRows& rows, const std::vector<std::size_t>& in
 
 }  // namespace
 
+std::vector<NamedColumn> columns_asked(const MeasurementSpec& spec) {
+  std::vector<NamedColumn> asked;
+  for (const NamedColumn& named : {NamedColumn{"x", &spec.x},
+                                   {"y", &spec.y},
+                                   {"z", &spec.z},
+                                   {"u", &spec.u},
+                                   {"v", &spec.v},
+                                   {"w", &spec.w},
+                                   {"quality", &spec.quality},
+                                   {"stage_column", &spec.stage_column}})
+    if (!named.second->empty()) asked.push_back(named);
+  return asked;
+}
+
 bool numbered_columns(const MeasurementSpec& spec) {
   const auto asked = columns_asked(spec);
   return !asked.empty() &&
-         std::all_of(asked.begin(), asked.end(), [](const Named& named) { return number_in(*named.second) > 0; });
+         std::all_of(asked.begin(), asked.end(), [](const NamedColumn& named) { return number_in(*named.second) > 0; });
 }
 
 bool names_columns(const std::vector<std::string>& heading, const MeasurementSpec& spec) {
   const auto asked = columns_asked(spec);
-  return heading.size() >= asked.size() && std::all_of(asked.begin(), asked.end(), [&](const Named& named) {
+  return heading.size() >= asked.size() && std::all_of(asked.begin(), asked.end(), [&](const NamedColumn& named) {
            return index_of(heading, *named.second).has_value();
          });
 }

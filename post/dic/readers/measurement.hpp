@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/files/csv_format.hpp"
@@ -38,6 +39,10 @@ struct MeasurementSpec {
   double displacement_factor = 1.0, displacement_offset = 0.0;  // crosshead: factor * signal + offset, mm
   double force_factor = 1.0;                                    // N per unit of the signal
 };
+
+// The columns that format = "columns" is told, by their keys; keys left out are not among them.
+using NamedColumn = std::pair<const char*, const std::string*>;
+[[nodiscard]] std::vector<NamedColumn> columns_asked(const MeasurementSpec& spec);
 
 struct MeasuredStage {
   std::string label;                          // the file's name, with the stage's own name when the file gives one

@@ -65,20 +65,12 @@ void check_delimiter(const std::string& delimiter, const toml::node& place, Comp
 void check_measurement(const MeasurementSpec& spec, const toml::table& root, Complaints& complaints) {
   check_delimiter(spec.delimiter, place_of(root, "measurement", "delimiter"), complaints);
   const bool mapped = spec.format == MeasurementFormat::columns;
-  using Named = std::pair<const char*, const std::string*>;
-  for (const Named& named : {Named{"x", &spec.x}, {"y", &spec.y}, {"u", &spec.u}, {"v", &spec.v}})
+  for (const NamedColumn& named : {NamedColumn{"x", &spec.x}, {"y", &spec.y}, {"u", &spec.u}, {"v", &spec.v}})
     if (mapped && named.second->empty())
       complaints.add(place_of(root, "measurement", "format"),
                      fmt::format("format 'columns' needs '{}': which column is it?", named.first));
-  for (const Named& named : {Named{"x", &spec.x},
-                             {"y", &spec.y},
-                             {"z", &spec.z},
-                             {"u", &spec.u},
-                             {"v", &spec.v},
-                             {"w", &spec.w},
-                             {"quality", &spec.quality},
-                             {"stage_column", &spec.stage_column}})
-    if (!mapped && !named.second->empty())
+  for (const NamedColumn& named : columns_asked(spec))
+    if (!mapped)
       complaints.add(
           place_of(root, "measurement", named.first),
           fmt::format("'{}' is only used with format = \"columns\"; add that or remove the key", named.first));

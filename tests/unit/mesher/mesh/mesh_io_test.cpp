@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "tests/support/same_mesh.hpp"
 #include "tests/unit/mesher/lattice/lattice_zoo.hpp"
 
 namespace weaveform {
@@ -39,32 +40,6 @@ Mesh sample() {
   return build_mesh(a.scene, a.card);
 }
 
-void expect_same(const Mesh& a, const Mesh& b) {
-  EXPECT_EQ(a.nodes.position, b.nodes.position);
-  EXPECT_EQ(a.nodes.mass, b.nodes.mass);
-  EXPECT_EQ(a.nodes.crossing, b.nodes.crossing);
-  EXPECT_EQ(a.yarns.node, b.yarns.node);
-  EXPECT_EQ(a.yarns.family, b.yarns.family);
-  EXPECT_EQ(a.yarns.rest_length, b.yarns.rest_length);
-  EXPECT_EQ(a.yarns.section, b.yarns.section);
-  EXPECT_EQ(a.yarns.yarns, b.yarns.yarns);
-  EXPECT_EQ(a.yarns.jaw, b.yarns.jaw);
-  EXPECT_EQ(a.yarns.softening, b.yarns.softening);
-  EXPECT_EQ(a.cells.offset, b.cells.offset);
-  EXPECT_EQ(a.cells.node, b.cells.node);
-  EXPECT_EQ(a.cells.coefficient, b.cells.coefficient);
-  EXPECT_EQ(a.cells.area, b.cells.area);
-  EXPECT_EQ(a.cells.lattice, b.cells.lattice);
-  EXPECT_EQ(a.spacing, b.spacing);
-  EXPECT_EQ(a.lattice_size, b.lattice_size);
-  EXPECT_EQ(a.thickness, b.thickness);
-  ASSERT_EQ(a.sets.size(), b.sets.size());
-  for (std::size_t k = 0; k < a.sets.size(); ++k) {
-    EXPECT_EQ(a.sets[k].name, b.sets[k].name);
-    EXPECT_EQ(a.sets[k].node, b.sets[k].node);
-  }
-}
-
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -73,7 +48,7 @@ std::string contents(const fs::path& file) {
 TEST_F(MeshFile, ReadsBackBitForBit) {
   const Mesh mesh = sample();
   write_mesh(mesh, folder_ / "mesh.vtu");
-  expect_same(read_mesh(folder_ / "mesh.vtu"), mesh);
+  test::expect_same_mesh(read_mesh(folder_ / "mesh.vtu"), mesh);
   EXPECT_EQ(files(), 1U);  // no temporary left
 }
 
