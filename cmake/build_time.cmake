@@ -1,27 +1,47 @@
 # What makes a clean build short. Measured with g++ 12: half of a typical file's compilation was reading headers, and
 # half of the rest optimising what runs once.
 
-# Headers that most files of a target include are read once for all of them.
-function(weaveform_precompile target)
-  target_precompile_headers(${target} PRIVATE
-    <algorithm> <array> <cmath> <filesystem> <map> <optional> <set> <string> <vector> <fmt/format.h> ${ARGN})
+# weaveform_runs_once(TARGET [PATTERN]): sources that read, check, name or write, and are done before anybody has noticed,
+# are optimised less: all of the target's, or those that match, which become a target of their own, TARGET_once, as the
+# files of one target are compiled together only with the same options. Arithmetic keeps its bits: neither compiler
+# reorders it at any level. To be called when the target is complete.
+function(weaveform_runs_once target)
+  if(ARGN)
+    get_target_property(sources ${target} SOURCES)
+    get_target_property(libraries ${target} LINK_LIBRARIES)
+    set(once ${sources})
+    list(FILTER once INCLUDE REGEX "${ARGN}")
+    list(REMOVE_ITEM sources ${once})
+    set_target_properties(${target} PROPERTIES SOURCES "${sources}")
+    add_library(${target}_once OBJECT ${once})
+    target_link_libraries(${target}_once PRIVATE ${libraries})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_once>)
+    set(target ${target}_once)
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# weaveform_runs_once(TARGET [PATTERN]): sources (those that match) that read, check, name or write, and are done before
-# anybody has noticed, are optimised less. Arithmetic keeps its bits: neither compiler reorders it at any level.
-function(weaveform_runs_once target)
-  if(NOT ARGN)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+# weaveform_together(TARGET [ROOM]): the sources of a folder (with ROOM: of the target, tests by room) are compiled
+# together, at most eight at a time: headers are read once, and what each file makes of the same templates (argument
+# parsing, JSON, formatting) is compiled once. The price: names of their anonymous namespaces must differ, and who changes
+# one file compiles its neighbours. -DWEAVEFORM_TOGETHER=OFF compiles each file alone.
+function(weaveform_together target)
+  if(NOT WEAVEFORM_TOGETHER)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
-  list(FILTER sources INCLUDE REGEX ${ARGN})
-  set_property(SOURCE ${sources} TARGET_DIRECTORY ${target} APPEND PROPERTY
-    COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
-endfunction()
-
-# Several files of a target at a time: what each of them makes of the same templates (argument parsing, JSON, formatting)
-# is compiled once. Their anonymous namespaces must get on with each other.
-function(weaveform_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 7)
+  foreach(source IN LISTS sources)
+    if(NOT source MATCHES "\\.cpp$" OR IS_ABSOLUTE ${source})
+      continue()
+    endif()
+    get_filename_component(folder ${source} DIRECTORY)
+    if("${ARGN}" STREQUAL ROOM)
+      string(REGEX MATCH "^unit/[^/]*" folder "${folder}")
+    endif()
+    string(MAKE_C_IDENTIFIER "in_${folder}" folder)
+    math(EXPR so_far_${folder} "0${so_far_${folder}} + 1")
+    math(EXPR batch "(${so_far_${folder}} - 1) / 8")
+    set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder}_${batch})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

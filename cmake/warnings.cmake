@@ -2,9 +2,15 @@
 # libraries.
 add_library(weaveform_warnings INTERFACE)
 target_compile_options(weaveform_warnings INTERFACE
-  $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion;-Wold-style-cast>)
-# g++ 12 sees ends of arrays and overlaps inside its own strings that are none, the more so when they are precompiled or
-# optimised less; clang and the sanitizers look for the same.
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wno-sign-conversion;-Wold-style-cast>)
+# Among others (weaveform_together) a file's local name may be a neighbour's, and to g++ a .cpp looks like a header, whose
+# classes should hold nothing of an anonymous namespace. `./dev check clang` compiles each file alone.
+set(together $<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>)
+target_compile_options(weaveform_warnings INTERFACE
+  $<BUILD_INTERFACE:$<IF:${together},$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>>
+  $<BUILD_INTERFACE:$<$<AND:${together},$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>>)
+# g++ 12 sees ends of arrays and overlaps inside its own strings that are none, the more so when they are optimised less;
+# clang and the sanitizers look for the same.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(weaveform_warnings INTERFACE
     $<BUILD_INTERFACE:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>)

@@ -15,6 +15,7 @@
 #include "app/stages/output_folder.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/files/text_words.hpp"
 #include "core/keys/toml_document.hpp"
 #include "fabric/identify/raw_table.hpp"
 
@@ -36,8 +37,7 @@ struct ChartArguments {
 
 // Before any file is read: a chart of another kind under this name would open in nothing.
 bool is_page(const std::filesystem::path& output) {
-  std::string ending = output.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower(output.extension().string());
   if (ending == ".html" || ending == ".htm") return true;
   if (ending == ".svg") return false;
   throw InputError(

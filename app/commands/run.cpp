@@ -58,7 +58,7 @@ void run_to_accuracy(const RunArguments& arguments) {
   clear_folder(directory, scene);
   constexpr auto over = std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
   std::filesystem::copy(found.results, directory, over);
-  write_text_whole(directory / study::file_name::accuracy, found.table);
+  write_text_whole(directory / study::report_name::accuracy, found.table);
   ResultFolder result(directory);
   const PostAnswers answers = post_process(result);
   log_warnings(answers.warnings);

@@ -86,7 +86,7 @@ void study_command(const StudyArguments& arguments) {
     print_answer(report.answer);
     for (const std::string& line : report.complaints) log_line("warning: " + line);
     log_line(fmt::format("{} done, {} failed, {} not run; table: {}", report.done, report.failed, report.missing,
-                         (directory / study::file_name::table).string()));
+                         (directory / study::report_name::table).string()));
   }
   if (plan.border && report.borders == 0)
     throw PhysicsError(fmt::format("{}: no border is found; why is in border.csv", directory.string()));

@@ -15,6 +15,7 @@
 #include "app/stages/output_folder.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/files/text_words.hpp"
 #include "core/keys/length_unit.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/surface_file.hpp"
@@ -73,8 +74,7 @@ void look_at_tool(const ToolArguments& arguments) {
   print_answer(describe_surface(arguments, inspect(surface.list), surface));
   if (output.empty()) return;
   require_writable(output, {file}, arguments.force);
-  std::string ending = output.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower(output.extension().string());
   if (ending == ".stl") return write_text_whole(output, stl_text(surface.list));
   if (!is_cad_file(file))
     throw InputError(fmt::format("{}: {} holds triangles, which no CAD file is made of; end its name in .stl",

@@ -145,7 +145,7 @@ Accuracy find_accuracy(const fs::path& scene_file, const std::vector<std::string
                        const AccuracyOptions& options) {
   const Scene scene = read_scene(scene_file, overrides);
   const std::vector<std::string> measures = options.measures.empty() ? default_measures(scene) : options.measures;
-  const fs::path folder = directory / file_name::levels;
+  const fs::path folder = directory / report_name::levels;
   std::vector<SolvedLevel> levels;  // coarsest first
   std::vector<Refinement> all;
   Outcome last;

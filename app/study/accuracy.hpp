@@ -11,14 +11,14 @@
 
 namespace weaveform::study {
 
-namespace file_name {
+namespace report_name {
 inline constexpr const char* accuracy = "accuracy.md";
 // The folder of the levels that were solved, each under its scene's digest: it is no result, and is taken up again.
 inline constexpr const char* levels = "accuracy";
-}  // namespace file_name
+}  // namespace report_name
 
 [[nodiscard]] inline FileNames accuracy_files() {
-  return {file_name::accuracy};
+  return {report_name::accuracy};
 }
 
 struct AccuracyOptions {

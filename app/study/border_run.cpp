@@ -59,8 +59,7 @@ private:
     if (known != judged_.end()) return known->second;
     const fs::path holds_results = case_files(folder_, at(variant, study_.border->holds).name).results;
     // Until the case at that end is done nothing can be compared with it, nor is there a border.
-    const bool comparable =
-        !needs_holds_end(*study_.border) || fs::exists(holds_results / weaveform::file_name::summary);
+    const bool comparable = !needs_holds_end(*study_.border) || fs::exists(holds_results / file_name::summary);
     if (!comparable && ended.exit_code == 0) return {};
     return judged_[one.name] = judge(study_, ended, case_files(folder_, one.name).results, holds_results);
   }

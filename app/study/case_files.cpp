@@ -80,7 +80,7 @@ std::optional<Outcome> outcome(const CaseFiles& files, const std::string& text) 
   int code = 0;
   const auto [end, error] = std::from_chars(content.data(), content.data() + content.size(), code);
   if (error != std::errc{} || code == static_cast<int>(ExitCode::interrupted)) return std::nullopt;
-  if (code == 0 && !std::filesystem::exists(files.results / weaveform::file_name::summary)) return std::nullopt;
+  if (code == 0 && !std::filesystem::exists(files.results / file_name::summary)) return std::nullopt;
   return Outcome{code, error_line(files.log, code)};
 }
 

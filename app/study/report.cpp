@@ -116,8 +116,8 @@ namespace {
 void write_convergence(const Study& study, const std::vector<ConvergenceOf>& convergence, const Table& table,
                        const fs::path& study_folder, Report& report) {
   const std::string text = convergence_markdown(*study.convergence, convergence, table);
-  write_text_whole(study_folder / file_name::convergence, text);
-  write_text_whole(study_folder / file_name::convergence_table,
+  write_text_whole(study_folder / report_name::convergence, text);
+  write_text_whole(study_folder / report_name::convergence_table,
                    convergence_csv(*study.convergence, convergence, table));
   report.answer += "\n" + text;
 }
@@ -126,14 +126,14 @@ void write_work_precision(const Study& study, const Measures& measures, const st
                           const Table& table, const fs::path& study_folder, Report& report) {
   const auto charts = work_precision_of(study, measures.charted, convergence, table, report.complaints);
   const std::string text = work_precision_markdown(*study.work_precision, charts, table);
-  write_text_whole(study_folder / file_name::work_precision_table, work_precision_csv(charts, table));
-  write_text_whole(study_folder / file_name::work_precision, text);
+  write_text_whole(study_folder / report_name::work_precision_table, work_precision_csv(charts, table));
+  write_text_whole(study_folder / report_name::work_precision, text);
   std::vector<Chart> drawn;
   for (const WorkPrecision& one : charts) {
     drawn.push_back(work_precision_chart(one, table));
     write_chart(study_folder / chart_name(one.measure), drawn.back());
   }
-  write_chart_page(study_folder / file_name::work_precision_page, study.file.stem().string(), drawn);
+  write_chart_page(study_folder / report_name::work_precision_page, study.file.stem().string(), drawn);
   report.answer += "\n" + text;
 }
 
@@ -149,11 +149,11 @@ Report write_border_report(const Study& study, const fs::path& study_folder) {
   count(table, report);
   check_versions(table, study_folder, report);
   remove_files(study_folder, report_files());
-  write_text_whole(study_folder / file_name::table, to_csv(table, measures.columns));
-  write_text_whole(study_folder / file_name::border_table, border_csv(study, groups));
+  write_text_whole(study_folder / report_name::table, to_csv(table, measures.columns));
+  write_text_whole(study_folder / report_name::border_table, border_csv(study, groups));
   report.answer = border_markdown(study, groups);
-  write_text_whole(study_folder / file_name::border, report.answer);
-  if (const auto chart = border_chart(study, groups)) write_chart(study_folder / file_name::border_chart, *chart);
+  write_text_whole(study_folder / report_name::border, report.answer);
+  if (const auto chart = border_chart(study, groups)) write_chart(study_folder / report_name::border_chart, *chart);
   for (const BorderGroup& group : groups) {
     if (!group.search.complaint.empty()) report.complaints.push_back(border_group_complaint(group));
     report.borders += border_is_found(group) ? 1 : 0;
@@ -175,7 +175,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
     write_convergence(study, convergence, table, study_folder, report);
   }
   // Before the charts, which may find the reference case unfit.
-  write_text_whole(study_folder / file_name::table, to_csv(table, measures.columns));
+  write_text_whole(study_folder / report_name::table, to_csv(table, measures.columns));
   if (study.work_precision && report.done > 0)
     write_work_precision(study, measures, convergence, table, study_folder, report);
   return report;

@@ -11,19 +11,19 @@
 
 namespace weaveform::study {
 
-namespace file_name {
+namespace report_name {
 inline constexpr const char *table = "study.csv", *convergence = "convergence.md";
 inline constexpr const char *convergence_table = "convergence.csv", *work_precision = "work_precision.md";
 inline constexpr const char *work_precision_table = "work_precision.csv", *work_precision_page = "work_precision.html";
 inline constexpr const char *border = "border.md", *border_table = "border.csv", *border_chart = "border.svg";
-}  // namespace file_name
+}  // namespace report_name
 
 // All of them, the charts of work_precision_report.hpp too; those of an earlier report go when a new one is written.
 [[nodiscard]] inline FileNames report_files() {
-  return {file_name::table,        file_name::convergence,         file_name::convergence_table,
-          file_name::border,       file_name::work_precision,      file_name::work_precision_table,
-          file_name::border_table, file_name::work_precision_page, "work_precision_*.svg",
-          file_name::border_chart};
+  return {report_name::table,        report_name::convergence,         report_name::convergence_table,
+          report_name::border,       report_name::work_precision,      report_name::work_precision_table,
+          report_name::border_table, report_name::work_precision_page, "work_precision_*.svg",
+          report_name::border_chart};
 }
 
 // All measures the study needs: its own first (so many are the columns of study.csv), then what only [convergence] and

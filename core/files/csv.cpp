@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/files/text_words.hpp"
 
 namespace weaveform {
 namespace {
@@ -114,8 +115,7 @@ std::optional<double> csv_number_in(std::string_view cell, bool decimal_comma) {
 }
 
 bool says_missing(std::string_view cell) {
-  std::string word(cell);
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string word = lower(cell);
   constexpr std::array words = {"", "nan", "na", "n/a", "-", "--", "null", "none", "inf", "-inf", "-nan", "1.#qnan",
                                 "-1.#ind",
                                 // NaN of .NET in Italian, German, French, Spanish, Polish, Russian (small and capital)

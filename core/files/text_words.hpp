@@ -16,5 +16,6 @@ namespace weaveform {
 [[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line, char separator);  // trimmed
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string upper(std::string_view text);
+[[nodiscard]] std::string lower(std::string_view text);
 
 }  // namespace weaveform

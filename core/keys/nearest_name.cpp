@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/files/text_words.hpp"
+
 namespace weaveform {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -26,21 +28,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-namespace {
-
-std::string lower_case(std::string_view word) {
-  std::string lower(word);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return lower;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string did_you_mean(std::string_view wrong, const std::vector<std::string>& valid) {
   if (valid.empty()) return "";
-  const std::string word = lower_case(wrong);
-  const auto distance = [&](const std::string& name) { return edit_distance(word, lower_case(name)); };
+  const std::string word = lower(wrong);
+  const auto distance = [&](const std::string& name) { return edit_distance(word, lower(name)); };
   const auto nearest = std::min_element(
       valid.begin(), valid.end(), [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
   // Beyond about half the letters a guess is noise: show everything instead.

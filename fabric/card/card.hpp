@@ -15,6 +15,9 @@
 
 namespace weaveform {
 
+// In the order of every array of two: what a yarn of family f is called.
+inline const std::vector<std::string> yarn_families = {"warp", "weft"};
+
 struct YarnCard {
   double linear_density = 0.0;  // tonne/mm; card files give tex, 1 tex = 1 g/km = 1e-12 tonne/mm
   double section = 0.0;         // mm^2; given, or Eq. 11 from linear density, fibre volume fraction and densities

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "core/keys/nearest_name.hpp"
 #include "core/keys/toml_document.hpp"
+#include "core/vector/angle.hpp"
 #include "fabric/card/builtin_cards.hpp"
 #include "fabric/card/card.hpp"
 #include "fabric/card/card_schema.hpp"
@@ -18,11 +18,9 @@ namespace {
 constexpr double tex_per_tonne_per_mm = 1e12;        // 1 tex = 1 g/km = 1e-6 tonne / 1e6 mm
 constexpr double g_per_cm3_per_tonne_per_mm3 = 1e9;  // 1 g/cm^3 = 1e-6 tonne / 1e3 mm^3
 constexpr double percent = 100.0;
-constexpr double degree = std::numbers::pi / 180.0;  // rad
-constexpr double compression_share = 0.01;           // of the linear modulus; ours, the paper gives none
-constexpr double greatest_tearing = 0.5;             // 1; where a run ends whatever the card says (reach.hpp)
-constexpr double section_agreement = 0.01;           // relative, between a given section and Eq. 11
-const std::vector<std::string> families = {"warp", "weft"};
+constexpr double compression_share = 0.01;  // of the linear modulus; ours, the paper gives none
+constexpr double greatest_tearing = 0.5;    // 1; where a run ends whatever the card says (reach.hpp)
+constexpr double section_agreement = 0.01;  // relative, between a given section and Eq. 11
 
 // The table of one yarn family and the common [yarn] it falls back on; a key of the family wins.
 struct YarnTables {
@@ -160,10 +158,10 @@ void read_yarns(const toml::table& root, Card& card, Complaints& complaints) {
     return;
   }
   YarnFile shared;
-  read_keys(*common, "[yarn]", yarn_keys(), shared, complaints, families);
-  for (std::size_t f = 0; f < families.size(); ++f) {
-    const std::string title = "yarn." + families[f];
-    const toml::table* own = table_of(*common, families[f], title, complaints);
+  read_keys(*common, "[yarn]", yarn_keys(), shared, complaints, yarn_families);
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
+    const std::string title = "yarn." + yarn_families[f];
+    const toml::table* own = table_of(*common, yarn_families[f], title, complaints);
     YarnFile file = shared;
     if (own != nullptr) {
       // either of the two replaces what the common yarn says of compression
@@ -173,7 +171,7 @@ void read_yarns(const toml::table& root, Card& card, Complaints& complaints) {
     }
     const YarnTables tables{own != nullptr ? own : common, common};
     // A family without a table of its own complains in the words of the common yarn, so that both say the same, once.
-    const std::string yarn = own != nullptr ? families[f] + " yarn" : "yarn";
+    const std::string yarn = own != nullptr ? yarn_families[f] + " yarn" : "yarn";
     require_keys(*tables.own, own != nullptr ? "[" + title + "]" : "[yarn]", yarn_keys(), complaints, common);
     card.yarn[f] = yarn_of(file, tables, yarn, complaints);
   }
@@ -273,8 +271,8 @@ Card read_card_text(const std::string& text, const std::string& name) {
 
 std::string card_to_toml(const Card& card) {
   std::string text = write_keys(head_keys(), HeadFile{card.name, card.source, card.thickness});
-  for (std::size_t f = 0; f < families.size(); ++f) {
-    text += "\n[yarn." + families[f] + "]\n" + write_keys(yarn_keys(), file_of(card.yarn[f]), Echo::given);
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
+    text += "\n[yarn." + yarn_families[f] + "]\n" + write_keys(yarn_keys(), file_of(card.yarn[f]), Echo::given);
   }
   const ShearFile shear{card.shear.tangent.pieces(), card.shear.start, card.shear.valid_to_deg};
   text += "\n[shear]\n" + write_keys(shear_keys(), shear);

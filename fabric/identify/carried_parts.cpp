@@ -10,7 +10,6 @@
 namespace weaveform::identify {
 namespace {
 
-const std::array<std::string, 2> families = {"warp", "weft"};
 // Tests make these; what an older card says of them is past.
 const std::vector<std::string> measured = {"tension", "linear_modulus", "valid_to", "compression_modulus"};
 // Given once: by one key or by the others.
@@ -80,7 +79,7 @@ toml::table family_table(const toml::table& root, const std::string& family) {
   const toml::table* yarn = root["yarn"].as_table();
   if (yarn == nullptr) return merged;
   for (const auto& [name, node] : *yarn)
-    if (name.str() != families[0] && name.str() != families[1]) merged.insert_or_assign(name, node);
+    if (name.str() != yarn_families[0] && name.str() != yarn_families[1]) merged.insert_or_assign(name, node);
   if (const toml::table* own = (*yarn)[family].as_table())
     for (const auto& [name, node] : *own) merged.insert_or_assign(name, node);
   return merged;
@@ -100,11 +99,11 @@ std::vector<std::string> carry_typed_parts(const std::string& replaced, const st
   }
   const toml::table root = parse_toml(replaced, "card.toml");
   Complaints none("card.toml");
-  for (std::size_t f = 0; f < families.size(); ++f) {
-    const toml::table table = family_table(root, families[f]);
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
+    const toml::table table = family_table(root, yarn_families[f]);
     YarnFile old;
     read_keys(table, "[yarn]", yarn_keys(), old, none);
-    carry_table(yarn_keys(), old, table, "[yarn." + families[f] + "]", parts.yarn[f], said);
+    carry_table(yarn_keys(), old, table, "[yarn." + yarn_families[f] + "]", parts.yarn[f], said);
   }
   if (const toml::table* table = root["bending"].as_table()) {
     BendingCard old;

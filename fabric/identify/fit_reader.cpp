@@ -12,7 +12,6 @@
 namespace weaveform::identify {
 namespace {
 
-const std::vector<std::string> families = {"warp", "weft"};
 constexpr double same_yarn = 0.01;  // relative, between linear densities: as exact as sections are given
 
 const toml::table* table_at(const toml::table& parent, const std::string& name, const std::string& title,
@@ -49,10 +48,10 @@ void read_base(const toml::table& root, FitSpec& spec, Complaints& complaints) {
   // The base in the words of a card file, so that the keys of the fit file can replace any of them.
   const toml::table card = parse_toml(card_to_toml(spec.base), "base card");
   const toml::table typed = parse_toml(card_text_of(spec.head.base, spec.file), "base card");
-  for (std::size_t f = 0; f < families.size(); ++f) {
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     Complaints none("base card");
-    read_keys(*card["yarn"][families[f]].as_table(), "[yarn]", yarn_keys(), spec.yarn[f], none);
-    keep_densities(typed, families[f], spec.yarn[f]);
+    read_keys(*card["yarn"][yarn_families[f]].as_table(), "[yarn]", yarn_keys(), spec.yarn[f], none);
+    keep_densities(typed, yarn_families[f], spec.yarn[f]);
   }
 }
 
@@ -69,7 +68,8 @@ void read_yarn_table(const toml::table& table, const std::string& title, YarnFil
   if (has("compression_modulus")) yarn.compression.clear();
   if (has("tension"))
     yarn.linear_modulus = yarn.compression_modulus = yarn.valid_to = yarn.tearing_strain = std::nullopt;
-  read_keys(table, title, yarn_keys(), yarn, complaints, title == "[yarn]" ? families : std::vector<std::string>{});
+  read_keys(table, title, yarn_keys(), yarn, complaints,
+            title == "[yarn]" ? yarn_families : std::vector<std::string>{});
   if (!had_section || !has("linear_density") || has("section") || densities) return;
   if (std::abs(yarn.linear_density / linear_density - 1.0) < same_yarn) return;
   const bool eq11 = yarn.fibre_volume_fraction && yarn.fibre_density && yarn.matrix_density;
@@ -94,20 +94,20 @@ void drop_unused_densities(const toml::table* common, const toml::table* own, Ya
 
 void read_yarns(const toml::table& root, FitSpec& spec, Complaints& complaints) {
   const toml::table* common = table_at(root, "yarn", "yarn", complaints);
-  for (std::size_t f = 0; f < families.size(); ++f) {
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     YarnFile& yarn = spec.yarn[f];
     const toml::table* own = nullptr;
     if (common != nullptr) {
       read_yarn_table(*common, "[yarn]", yarn, complaints);
-      own = table_at(*common, families[f], "yarn." + families[f], complaints);
-      if (own != nullptr) read_yarn_table(*own, "[yarn." + families[f] + "]", yarn, complaints);
+      own = table_at(*common, yarn_families[f], "yarn." + yarn_families[f], complaints);
+      if (own != nullptr) read_yarn_table(*own, "[yarn." + yarn_families[f] + "]", yarn, complaints);
     }
     drop_unused_densities(common, own, yarn);
     const toml::node& place = common != nullptr ? static_cast<const toml::node&>(*common) : root;
     const auto lacks = [&](const char* key, const char* unit) {
       complaints.add(place, fmt::format("the {} yarn lacks '{}' ({}) and no base card gives it; add it to [yarn] or "
                                         "[yarn.{}], or name a 'base'",
-                                        families[f], key, unit, families[f]));
+                                        yarn_families[f], key, unit, yarn_families[f]));
     };
     if (!(yarn.linear_density > 0.0)) lacks("linear_density", "tex");
     if (!(yarn.interval > 0.0)) lacks("interval", "mm");
@@ -211,16 +211,16 @@ bool rises(const std::array<double, 2>& range) {
 
 // Whether every law of the card has a source, measured or kept.
 void check_sources(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
-  for (std::size_t f = 0; f < families.size(); ++f) {
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     const auto of_yarn = [&](const TestSpec& test) { return stands_for(test, f); };
     const auto tests = std::count_if(spec.tensile.begin(), spec.tensile.end(), of_yarn);
     if (tests > 1)
       complaints.add(root, fmt::format("{} [[tensile]] stand for the {} yarn; put their files into one table", tests,
-                                       families[f]));
+                                       yarn_families[f]));
     if (tests == 0 && spec.yarn[f].tension.empty())
       complaints.add(root, fmt::format("nothing gives the tension law of the {0} yarn; add [[tensile]] with yarn = "
                                        "\"{0}\", or a 'base' card",
-                                       families[f]));
+                                       yarn_families[f]));
   }
   if (spec.shear_frame.empty() && spec.bias_extension.empty() && !spec.has_base)
     complaints.add(root, "nothing gives the shear law; add [[shear_frame]], [[bias_extension]] or a 'base' card");

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "fabric/identify/decrimping.hpp"
 
 namespace weaveform::identify {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;  // rad
 
 std::vector<double> in_degrees(std::vector<double> angles) {
   for (double& angle : angles) angle /= degree;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "fabric/identify/carried_parts.hpp"
 #include "fabric/identify/decrimping.hpp"
 #include "fabric/identify/shear_tests.hpp"
@@ -15,10 +15,8 @@
 namespace weaveform::identify {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;  // rad
 constexpr double percent = 0.01;
-constexpr std::array families = {"warp", "weft"};
-constexpr double greatest_strain = 0.5;   // 1; that a card may claim
+constexpr double greatest_claim = 0.5;    // 1; that a card may claim
 constexpr double suspicious_ratio = 3.0;  // between a fitted modulus and the base card's
 
 // A number of a card with seven significant digits: far finer than any test, and legible.
@@ -44,7 +42,7 @@ void fit_yarns(Identification& found) {
           fmt::format("{}: the test '{}' stands for both yarns, but their sections differ; give each its own "
                       "[[tensile]]",
                       spec.file, test.name));
-    for (std::size_t f = 0; f < families.size(); ++f) {
+    for (std::size_t f = 0; f < yarn_families.size(); ++f) {
       if (stands_for(test, f)) found.yarn[f] = found.yarns.size();
     }
     found.yarns.push_back(fit_yarn(test, spec.file, section, spec.confidence()));
@@ -67,7 +65,7 @@ YarnFile fitted_yarn(const YarnFile& before, const YarnFit& fit) {
       had_share ? std::optional(legible(*before.compression_modulus / *before.linear_modulus * modulus)) : std::nullopt;
   yarn.linear_modulus = modulus;
   // the stress that the tests reached; beyond, nothing was measured
-  yarn.valid_to = legible(std::min(greatest_strain, strain_at_stress(TangentLaw(yarn.tension), fit.greatest_stress())));
+  yarn.valid_to = legible(std::min(greatest_claim, strain_at_stress(TangentLaw(yarn.tension), fit.greatest_stress())));
   if (yarn.tearing_strain && *yarn.tearing_strain < *yarn.valid_to) yarn.tearing_strain = std::nullopt;
   return yarn;
 }
@@ -84,9 +82,9 @@ ShearFile fitted_shear(const ShearFit& fit) {
 }
 
 YarnFile yarn_file(const Identification& found, std::size_t f) {
-  const auto& measured = found.yarn[f];
+  const auto& fit = found.yarn[f];
   const YarnFile& before = found.spec.yarn[f];
-  return measured ? fitted_yarn(before, found.yarns[*measured]) : before;
+  return fit ? fitted_yarn(before, found.yarns[*fit]) : before;
 }
 
 std::string shear_text(const Identification& found) {
@@ -110,8 +108,9 @@ void make_card(Identification& found, const std::string& replaced, const std::st
   }
   found.card_text = "# Made by weaveform fit. Units: mm, MPa, tex; angles in degrees.\n" +
                     write_keys(head_keys(), HeadFile{head.name, source, found.spec.thickness()});
-  for (std::size_t f = 0; f < families.size(); ++f)
-    found.card_text += fmt::format("\n[yarn.{}]\n{}", families[f], write_keys(yarn_keys(), parts.yarn[f], Echo::given));
+  for (std::size_t f = 0; f < yarn_families.size(); ++f)
+    found.card_text +=
+        fmt::format("\n[yarn.{}]\n{}", yarn_families[f], write_keys(yarn_keys(), parts.yarn[f], Echo::given));
   found.card_text += shear_text(found);
   if (parts.bending != BendingCard{})
     found.card_text += "\n[bending]\n" + write_keys(bending_keys(), parts.bending, Echo::given);
@@ -122,22 +121,22 @@ void make_card(Identification& found, const std::string& replaced, const std::st
 void state_assumptions(Identification& found) {
   const auto assume = [&](std::string sentence) { found.assumptions.push_back(std::move(sentence)); };
   const FitSpec& spec = found.spec;
-  for (std::size_t f = 0; f < families.size(); ++f) {
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     if (!found.yarn[f]) {
-      assume(fmt::format("no tensile test stands for the {} yarn: its tension law is {}", families[f],
+      assume(fmt::format("no tensile test stands for the {} yarn: its tension law is {}", yarn_families[f],
                          spec.has_base ? "that of the base card " + spec.head.base : "that of the fit file"));
       continue;
     }
     const double crimp = spec.yarn[f].crimp;
-    assume(
-        crimp > 0.0
-            ? fmt::format("decrimping of the {} yarn is not measured: a e^4 from the crimp ratio {} %, joining the "
-                          "line of the straight yarn in value and slope at 4/3 ln(1 + crimp) (Table 2 of the "
-                          "paper)",
-                          families[f], crimp)
-            : fmt::format("the {} yarn has no crimp: its law is the linear modulus from zero strain on", families[f]));
+    assume(crimp > 0.0
+               ? fmt::format("decrimping of the {} yarn is not measured: a e^4 from the crimp ratio {} %, joining the "
+                             "line of the straight yarn in value and slope at 4/3 ln(1 + crimp) (Table 2 of the "
+                             "paper)",
+                             yarn_families[f], crimp)
+               : fmt::format("the {} yarn has no crimp: its law is the linear modulus from zero strain on",
+                             yarn_families[f]));
     if (!spec.yarn[f].compression_modulus && spec.yarn[f].compression.empty())
-      assume(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", families[f]));
+      assume(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", yarn_families[f]));
   }
   if (found.card.bending != BendingCard{})
     assume("no test of bending: [bending] is that of the fit file, of the base card or of the card that was replaced");
@@ -155,7 +154,7 @@ void state_assumptions(Identification& found) {
 
 void compare_with_base(Identification& found) {
   if (!found.spec.has_base) return;
-  for (std::size_t f = 0; f < families.size(); ++f) {
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     if (!found.yarn[f]) continue;
     const double before = found.spec.base.yarn[f].linear_modulus;
     const double ratio = found.card.yarn[f].linear_modulus / before;
@@ -163,7 +162,7 @@ void compare_with_base(Identification& found) {
       found.warnings.push_back(
           fmt::format("the {} yarn's modulus is {:.3g} times the base card's {:.0f} MPa; check units "
                       "and section",
-                      families[f], ratio, before));
+                      yarn_families[f], ratio, before));
   }
 }
 

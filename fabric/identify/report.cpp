@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "fabric/identify/fit_tables.hpp"
 #include "fabric/identify/identify.hpp"
 
@@ -11,9 +11,6 @@ namespace weaveform::identify {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double degree = std::numbers::pi / 180.0;  // rad
-constexpr std::array families = {"warp", "weft"};
 
 std::string form_name(const ShearForm& form) {
   return form.start ? "polynomial+start" : "polynomial";
@@ -32,16 +29,16 @@ double crimp_of(const Identification& found, std::size_t yarn_fit) {
 
 std::string yarn_rows(const Identification& found) {
   std::string text;
-  for (std::size_t f = 0; f < families.size(); ++f) {
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     const double modulus = found.card.yarn[f].linear_modulus;
     if (!found.yarn[f]) {
-      text += fmt::format("| {} yarn: linear modulus | {:.6g} MPa | kept | |\n", families[f], modulus);
+      text += fmt::format("| {} yarn: linear modulus | {:.6g} MPa | kept | |\n", yarn_families[f], modulus);
       continue;
     }
     const YarnFit& fit = found.yarns[*found.yarn[f]];
     text += fmt::format(
         "| {} yarn: linear modulus | {:.6g} MPa | {:.6g} to {:.6g} | specimens: {}, deviation {:.3g} MPa |\n",
-        families[f], modulus, fit.band[0], fit.band[1], fit.specimens.size(), fit.deviation);
+        yarn_families[f], modulus, fit.band[0], fit.band[1], fit.specimens.size(), fit.deviation);
   }
   return text;
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "fabric/identify/constrained_least_squares.hpp"
 #include "fabric/identify/correlated_errors.hpp"
 #include "fabric/identify/statistics.hpp"
@@ -19,8 +20,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double degree_angle = std::numbers::pi / 180.0;  // rad
-constexpr std::size_t least_grid = 10;                     // angles; fewer leave nothing to judge a form by
+constexpr std::size_t least_grid = 10;         // angles; fewer leave nothing to judge a form by
 constexpr std::size_t specimens_to_leave = 3;  // below, a left-out specimen says more of the scatter than of the form
 constexpr double clearly_better = 2.0;         // of AICc (Burnham & Anderson 2002, section 2.6)
 
@@ -176,7 +176,7 @@ void warn_about(ShearFit& fit) {
         "between specimens");
   const ShearCurveFit& chosen = fit.chosen().pooled;
   if (!chosen.constrained) return;
-  const auto angle = [](double strain) { return std::asin(std::tanh(strain)) / degree_angle; };
+  const auto angle = [](double strain) { return std::asin(std::tanh(strain)) / degree; };
   std::string where = "its plateau was negative";
   if (!chosen.free_negative.empty())
     where = fmt::format("its tangent was negative from {:.1f} to {:.1f} deg", angle(chosen.free_negative.front()[0]),
@@ -224,7 +224,7 @@ std::vector<double> common_grid(const std::vector<ShearSpecimen>& specimens,
       warnings.push_back(
           fmt::format("{} ends at {:.1f} deg, the others at {:.1f} deg or so, and limits the law; leave "
                       "the specimen out for a wider one",
-                      specimen.name, specimen.angle.back() / degree_angle, median_of(ends) / degree_angle));
+                      specimen.name, specimen.angle.back() / degree, median_of(ends) / degree));
   }
   // A curve that ends a rounding short of a multiple has still measured it.
   constexpr double rounding = 1e-6;  // steps
@@ -235,7 +235,7 @@ std::vector<double> common_grid(const std::vector<ShearSpecimen>& specimens,
     throw InputError(
         fmt::format("only {} angles of the common grid lie within all specimens, from {:.2f} to {:.2f} deg; "
                     "lower 'angle_step', widen the range of angles or leave a short specimen out",
-                    grid.size(), from / degree_angle, to / degree_angle));
+                    grid.size(), from / degree, to / degree));
   return grid;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "fabric/identify/curve.hpp"
 #include "fabric/trellis/bias_rectangle.hpp"
 #include "fabric/trellis/shear_frame.hpp"
@@ -15,7 +16,6 @@
 namespace weaveform::identify {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;               // rad
 constexpr double least_reach = 5.0 * degree;                      // rad; a test of shear goes further
 constexpr double right_angle = 0.5 * std::numbers::pi;            // rad
 constexpr std::array<double, 2> plausible_force = {1e-3, 100.0};  // N/mm; greatest shear force of any woven fabric

@@ -13,8 +13,8 @@
 namespace weaveform::identify {
 namespace {
 
-constexpr std::size_t sampled_lines = 20;  // at the end of the file, where only rows are
-constexpr std::size_t like_size = 5;       // a block of rows so many times smaller is no second table
+constexpr std::size_t sampled_rows = 20;  // at the end of the file, where only rows are
+constexpr std::size_t like_size = 5;      // a block of rows so many times smaller is no second table
 
 bool is_number(const std::string& cell) {
   return number_in(cell, false) || number_in(cell, true);
@@ -44,7 +44,7 @@ struct RowShape {
 
 RowShape shape_of_rows(const std::vector<SplitLine>& lines) {
   std::vector<const SplitLine*> sample;
-  for (std::size_t k = lines.size(); k-- > 0 && sample.size() < sampled_lines;)
+  for (std::size_t k = lines.size(); k-- > 0 && sample.size() < sampled_rows;)
     if (any_number(lines[k])) sample.push_back(&lines[k]);
   std::map<std::size_t, std::size_t> lines_of_width;
   for (const SplitLine* line : sample) ++lines_of_width[line->cells.size()];

@@ -20,7 +20,7 @@ constexpr double least_width = 0.25;   // of the greatest stress; narrower stret
 constexpr double straightness = 0.01;  // bow over rise
 // Yarns of any fibre lie between a soft polymer's and a pitch carbon's modulus.
 constexpr std::array<double, 2> plausible_modulus = {100.0, 1e6};  // MPa
-constexpr double greatest_strain = 0.5;                            // 1; no reinforcement yarn reaches it
+constexpr double greatest_reach = 0.5;                             // 1; no reinforcement yarn reaches it
 
 struct Range {
   std::size_t from = 0, to = 0;  // [from, to)
@@ -80,7 +80,7 @@ void check_plausible(const YarnSpecimen& yarn, const TestSpec& test) {
   if (test.trust_units) return;
   const bool machine = !test.displacement_column.empty();
   const double reach = yarn.strain.back();
-  const auto fits_strain = [&](double ratio) { return reach * ratio < greatest_strain && reach * ratio > 1e-4; };
+  const auto fits_strain = [&](double ratio) { return reach * ratio < greatest_reach && reach * ratio > 1e-4; };
   if (!fits_strain(1.0)) {
     const Quantity quantity = machine ? Quantity::length : Quantity::strain;
     const std::string key = machine ? "displacement_unit" : "strain_unit";

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/vector/eigen_vector.hpp"
 #include "mesher/drape/generator.hpp"
 #include "mesher/drape/outline_cells.hpp"
 #include "mesher/drape/regions.hpp"
@@ -19,13 +20,6 @@ namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector_of(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
-std::array<double, 3> array_of(const Vector3d& a) {
-  return {a[0], a[1], a[2]};
-}
 
 // The mesh's lattice as seen from the seed.
 struct Lattice {

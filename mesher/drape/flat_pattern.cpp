@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/vector/eigen_vector.hpp"
 #include "core/vector/vector.hpp"
 #include "mesher/drape/generator.hpp"
 #include "mesher/drape/start.hpp"
@@ -16,10 +17,6 @@ namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector_of(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
 
 // How far the yarn goes on along the surface from a crossing: the greatest length up to `most`, by halving.
 double length_on_surface(const DrapeSurface& surface, const Vector3d& x, const Vector3d& direction, double most) {

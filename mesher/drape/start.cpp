@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/keys/nearest_name.hpp"
+#include "core/vector/eigen_vector.hpp"
 
 namespace weaveform {
 namespace {
@@ -17,10 +18,6 @@ using Eigen::Vector3d;
 
 constexpr double seed_tolerance = 0.1;  // of the smaller spacing; what digits a user copies from a drawing lose
 constexpr double least_tangent = 0.1;   // sine of the angle between a warp direction and the normal
-
-Vector3d vector_of(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
 
 std::string place_text(const Vector3d& x) {
   // no "-0": it reads like a mistake

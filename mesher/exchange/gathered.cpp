@@ -16,8 +16,6 @@ namespace weaveform::foreign {
 
 namespace {
 
-constexpr std::array<const char*, 2> family_name = {"warp", "weft"};
-
 std::vector<YarnGroup> group_yarns(const Mesh& mesh) {
   std::vector<YarnGroup> groups;
   std::array<int, 2> count = {0, 0}, idle_count = {0, 0};
@@ -36,8 +34,8 @@ std::vector<YarnGroup> group_yarns(const Mesh& mesh) {
       same->element.push_back(e);
       continue;
     }
-    const std::string name = idle ? fmt::format("{}_idle_{}", family_name[family], ++idle_count[family])
-                                  : fmt::format("{}_{}", family_name[family], ++count[family]);
+    const std::string name = idle ? fmt::format("{}_idle_{}", yarn_families[family], ++idle_count[family])
+                                  : fmt::format("{}_{}", yarn_families[family], ++count[family]);
     groups.push_back({name, family, section, whole, stretch, idle, {e}});
   }
   return groups;

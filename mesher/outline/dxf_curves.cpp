@@ -10,16 +10,16 @@
 
 #include "core/error.hpp"
 #include "core/files/text_words.hpp"
+#include "core/vector/angle.hpp"
 #include "mesher/outline/dxf_shapes.hpp"
 
 namespace weaveform {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180.0;
 constexpr int most_deep = 8;                    // blocks within blocks
 constexpr std::size_t most_points = 4'000'000;  // of all curves together
 constexpr int most_inserts = 100'000;
-constexpr double flat = 1e-6;  // of a coordinate: how far points may leave the plane
+constexpr double out_of_plane = 1e-6;  // of a coordinate: how far points may leave the plane
 
 // What stands beside an outline without bounding it.
 const std::set<std::string> annotation = {"TEXT",
@@ -118,7 +118,7 @@ private:
   // Entities of a plane are written in it; seen from behind, x runs the other way.
   bool turned_over(const DxfEntity& entity, const std::string& layer, bool& readable) {
     const double x = real(entity, 210, 0.0), y = real(entity, 220, 0.0), z = real(entity, 230, 1.0);
-    readable = std::hypot(x, y) <= flat * std::abs(z) && z != 0.0;
+    readable = std::hypot(x, y) <= out_of_plane * std::abs(z) && z != 0.0;
     if (!readable) refuse(entity, layer, "lies in another plane than the drawing's; turn it into z = 0");
     return z < 0.0;
   }
@@ -142,7 +142,7 @@ private:
       return refuse(entity, layer, fmt::format("names the block '{}', which is not in the file", entity.text(2)));
     if (depth >= most_deep) fail(entity.line, fmt::format("blocks within blocks more than {} deep", most_deep));
     if (++inserts_ > most_inserts) fail(entity.line, fmt::format("more than {} blocks are placed", most_inserts));
-    const double turn = real(entity, 50, 0.0) * radians, a = real(entity, 41, 1.0), b = real(entity, 42, 1.0);
+    const double turn = real(entity, 50, 0.0) * degree, a = real(entity, 41, 1.0), b = real(entity, 42, 1.0);
     Placing own;
     own.x = {a * std::cos(turn), a * std::sin(turn)};
     own.y = {-b * std::sin(turn), b * std::cos(turn)};
@@ -180,7 +180,7 @@ private:
   // All that is drawn has to lie at one height.
   bool in_plane(const DxfEntity& entity, const std::string& layer, std::initializer_list<double> heights) {
     for (const double z : heights)
-      if (std::abs(z - *heights.begin()) > flat * std::max(1.0, std::abs(z))) {
+      if (std::abs(z - *heights.begin()) > out_of_plane * std::max(1.0, std::abs(z))) {
         refuse(entity, layer, "leaves the plane z = constant; flatten it");
         return false;
       }
@@ -197,8 +197,8 @@ private:
     if (!(r > 0.0)) fail(entity.line, fmt::format("{} of radius {:g}; it must be above 0", entity.type, r));
     double from = 0.0, sweep = 2.0 * std::numbers::pi;
     if (entity.type == "ARC") {
-      from = real(entity, 50, 0.0) * radians;
-      sweep = std::fmod(real(entity, 51, 360.0) * radians - from, 2.0 * std::numbers::pi);
+      from = real(entity, 50, 0.0) * degree;
+      sweep = std::fmod(real(entity, 51, 360.0) * degree - from, 2.0 * std::numbers::pi);
       if (sweep <= 1e-12) sweep += 2.0 * std::numbers::pi;
     }
     keep(entity, placing, layer,

@@ -9,19 +9,19 @@
 namespace weaveform {
 namespace {
 
-constexpr int most_chords = 1 << 14;  // of one arc or span of a spline
+constexpr int most_pieces = 1 << 14;  // of one arc or span of a spline
 
 // The chord over an angle a of radius r leaves the arc by r (1 - cos(a/2)). Along an ellipse the greater half axis
 // bounds it, for it is a circle of that radius pressed flat.
 int chords_over(double radius, double angle, double tolerance) {
   if (!(radius > tolerance)) return 4;
   const double each = 2.0 * std::acos(1.0 - tolerance / radius);
-  return static_cast<int>(std::clamp(std::ceil(std::abs(angle) / each), 1.0, static_cast<double>(most_chords)));
+  return static_cast<int>(std::clamp(std::ceil(std::abs(angle) / each), 1.0, static_cast<double>(most_pieces)));
 }
 
 // Chords of one span are halved until its own points lie within the tolerance of their middles.
 void add_span(const Spline& spline, double from, double to, double tolerance, std::vector<DrawnPoint>& line) {
-  for (int chords = 4; chords <= most_chords; chords *= 2) {
+  for (int chords = 4; chords <= most_pieces; chords *= 2) {
     std::vector<DrawnPoint> finer;
     for (int k = 0; k <= 2 * chords; ++k) finer.push_back(point_on(spline, from + (to - from) * k / (2 * chords)));
     double worst = 0.0;
@@ -29,7 +29,7 @@ void add_span(const Spline& spline, double from, double to, double tolerance, st
       worst = std::max(
           worst, distance(DrawnPoint{0.5 * (finer[k][0] + finer[k + 2][0]), 0.5 * (finer[k][1] + finer[k + 2][1])},
                           finer[k + 1]));
-    if (worst > tolerance && chords < most_chords) continue;
+    if (worst > tolerance && chords < most_pieces) continue;
     for (int k = 2; k <= 2 * chords; k += 2) line.push_back(finer[k]);
     return;
   }

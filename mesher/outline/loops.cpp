@@ -17,9 +17,9 @@
 namespace weaveform {
 namespace {
 
-constexpr int ellipse_corners = 720;        // the polygon leaves the ellipse by 1e-5 of its size
-constexpr double closed = 1e-6;             // of the loop's extent: how near the last point must come to the first
-constexpr std::size_t most_complaints = 5;  // of one kind; the rest is more of the same
+constexpr int ellipse_corners = 720;  // the polygon leaves the ellipse by 1e-5 of its size
+constexpr double closed = 1e-6;       // of the loop's extent: how near the last point must come to the first
+constexpr std::size_t most_said = 5;  // of one kind; the rest is more of the same
 
 std::string place_of(const OutlineLoop& loop, std::size_t k) {
   if (k < loop.place.size()) return loop.place[k];
@@ -88,8 +88,8 @@ void find_crossings(const std::vector<OutlineLoop>& loops, const std::string& wh
                     std::vector<std::string>& complaints) {
   const auto edges = edges_of(loops);
   std::size_t found = 0;
-  for (std::size_t i = 0; i < edges.size() && found < most_complaints; ++i)
-    for (std::size_t j = i + 1; j < edges.size() && edges[j].low <= edges[i].high && found < most_complaints; ++j) {
+  for (std::size_t i = 0; i < edges.size() && found < most_said; ++i)
+    for (std::size_t j = i + 1; j < edges.size() && edges[j].low <= edges[i].high && found < most_said; ++j) {
       if (neighbours(edges[i], edges[j], loops) || !touch(edges[i].from, edges[i].to, edges[j].from, edges[j].to))
         continue;
       ++found;

@@ -17,6 +17,7 @@
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/files/text_words.hpp"
 #include "core/guard/guarded.hpp"
 #include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/geo_script.hpp"
@@ -145,8 +146,7 @@ CadFormat cad_format(const fs::path& file) {
   static const std::map<std::string, CadFormat> formats = {
       {".step", CadFormat::step}, {".stp", CadFormat::step}, {".iges", CadFormat::iges}, {".igs", CadFormat::iges},
       {".brep", CadFormat::brep}, {".brp", CadFormat::brep}, {".geo", CadFormat::script}};
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower(file.extension().string());
   const auto found = formats.find(ending);
   return found == formats.end() ? CadFormat::none : found->second;
 }

@@ -34,7 +34,7 @@ double least_gap(const Tool& tool, double way, const Cloud& cloud) {
   for (std::size_t c = 0; c < 3; ++c) place.origin[c] += way * tool.direction[c];
   double least = std::numeric_limits<double>::infinity();
   for (const auto& point : cloud.point) {
-    Distances found;
+    Distances found = {};
     int hint = 0;
     tool_distances(tool, place, {point.data(), &point[1], &point[2]}, 1, &hint, found);
     least = std::min(least, found.distance[0] - tool.offset);

@@ -21,9 +21,9 @@ namespace weaveform {
 
 namespace {
 
-constexpr double finest = 1e-6;   // of the extent; a tolerance that wants more is a slip of the pen
-constexpr double longest = 0.25;  // of the extent; a side of nothing that curves
-constexpr int most_rounds = 8;
+constexpr double finest_share = 1e-6;  // of the extent; a tolerance that wants more is a slip of the pen
+constexpr double longest = 0.25;       // of the extent; a side of nothing that curves
+constexpr int most_script_rounds = 8;
 constexpr int samples = 12;  // of curvature along each parameter
 
 double extent_of_model() {
@@ -167,7 +167,7 @@ struct Probes {
 };
 
 // One step of Newton's method without second derivatives towards the nearest places (Gauss-Newton).
-void approach(int face, Probes& probes, const std::vector<double>& on) {
+void approach_surface(int face, Probes& probes, const std::vector<double>& on) {
   std::vector<double> derivative;
   gmsh::model::getDerivative(2, face, probes.parameter, derivative);
   for (std::size_t k = 0; 6 * k + 5 < derivative.size(); ++k) {
@@ -188,13 +188,13 @@ double greatest_distance(int face, Probes probes) {
       const Vec3 off = minus(point_at(probes.point, k), point_at(on, k));
       least[k] = std::min(least[k], std::sqrt(dot(off, off)));
     }
-    approach(face, probes, on);
+    approach_surface(face, probes, on);
   }
   return least.empty() ? 0.0 : *std::max_element(least.begin(), least.end());
 }
 
 // Distance of the sides' middles and the centres of a face's triangles from it.
-double face_error(int face, const std::vector<std::array<std::size_t, 3>>& triangles) {
+double script_face_error(int face, const std::vector<std::array<std::size_t, 3>>& triangles) {
   std::string type;
   gmsh::model::getType(2, face, type);
   if (type == "Plane") return 0.0;
@@ -260,7 +260,7 @@ CadSurface gathered(const std::string& file) {
   for (const auto& entity : faces) {
     const auto triangles = triangles_of_face(entity.second, file);
     for (const auto& t : triangles) surface.list.triangle.push_back({index.at(t[0]), index.at(t[1]), index.at(t[2])});
-    surface.chord_error = std::max(surface.chord_error, face_error(entity.second, triangles));
+    surface.chord_error = std::max(surface.chord_error, script_face_error(entity.second, triangles));
   }
   gmsh::model::getEntities(curves, 1);
   for (const auto& entity : curves) surface.chord_error = std::max(surface.chord_error, curve_error(entity.second));
@@ -279,17 +279,17 @@ bool is_all_opencascade() {
 
 CadSurface triangles_of_script(double chord_tolerance, const std::string& file) {
   const double extent = extent_of_model();
-  if (!(chord_tolerance >= finest * extent))
+  if (!(chord_tolerance >= finest_share * extent))
     throw InputError(
         fmt::format("{}: chord_tolerance = {:.3g} mm is too fine for a part {:.4g} mm across; ask for {:.2g} "
                     "mm or more",
-                    file, chord_tolerance, extent, finest * extent));
+                    file, chord_tolerance, extent, finest_share * extent));
   forget_mesh_options();
   const Sides sides = sides_for(chord_tolerance, extent);
   double factor = 1.0, error = std::numeric_limits<double>::infinity();
   bool obeys = true;  // sizes; lines and faces that the script makes transfinite do not, and cannot be made to
-  for (int round = 0; round < most_rounds; ++round) {
-    guarded_progress(static_cast<double>(round) / most_rounds);
+  for (int round = 0; round < most_script_rounds; ++round) {
+    guarded_progress(static_cast<double>(round) / most_script_rounds);
     if (obeys)
       mesh_with(sides, factor, 0.1 * chord_tolerance);
     else

@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/files/text_words.hpp"
 #include "core/vector/vector.hpp"
 
 namespace weaveform {
@@ -23,7 +24,7 @@ namespace {
 // bytes of anything. Little endian, as this machine must be.
 constexpr std::size_t header_size = 84, facet_size = 50, normal_size = 12;
 
-constexpr const char* advice = "write it again as text or binary STL";
+constexpr const char* write_again = "write it again as text or binary STL";
 
 class Collector {
 public:
@@ -37,7 +38,7 @@ public:
       for (const double x : corners[k])
         if (!(std::abs(x) <= farthest_corner))
           throw InputError(fmt::format("{}{}: facet {} has a corner at {}, which is no place within {:g} mm; {}", name_,
-                                       place, facets_, x, farthest_corner, advice));
+                                       place, facets_, x, farthest_corner, write_again));
       const auto [found, is_new] = index_.emplace(corners[k], static_cast<int>(list_.point.size()));
       if (is_new) list_.point.push_back(corners[k]);
       triangle[k] = found->second;
@@ -46,7 +47,7 @@ public:
   }
   [[nodiscard]] std::size_t facets() const { return facets_; }
   TriangleList take() {
-    if (list_.triangle.empty()) throw InputError(fmt::format("{}: no facet in it; {}", name_, advice));
+    if (list_.triangle.empty()) throw InputError(fmt::format("{}: no facet in it; {}", name_, write_again));
     return std::move(list_);
   }
 
@@ -69,7 +70,7 @@ TriangleList parse_binary(std::string_view bytes, const std::string& name) {
     throw InputError(
         fmt::format("{}: not an STL surface, or cut short: its header announces {} facets and {} bytes "
                     "follow; {}",
-                    name, count, bytes.size() - std::min(bytes.size(), header_size), advice));
+                    name, count, bytes.size() - std::min(bytes.size(), header_size), write_again));
   Collector found(name);
   for (std::size_t k = 0; k < count; ++k) {
     std::array<float, 9> x{};
@@ -80,9 +81,9 @@ TriangleList parse_binary(std::string_view bytes, const std::string& name) {
 }
 
 // The words of a text and the lines they stand on.
-class Words {
+class StlWords {
 public:
-  Words(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  StlWords(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   [[nodiscard]] bool at_end() {
     while (at_ < text_.size() && is_blank(text_[at_])) line_ += text_[at_++] == '\n' ? 1 : 0;
@@ -93,9 +94,7 @@ public:
     if (at_end()) fail("it ends inside a facet; it may have been cut short");
     const std::size_t from = at_;
     while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
-    std::string word(text_.substr(from, at_ - from));
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    return word;
+    return lower(text_.substr(from, at_ - from));
   }
   void pass_line() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
   void expect(const std::string& wanted) {
@@ -115,7 +114,7 @@ public:
     return value;
   }
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: not an STL surface: {}; {}", name_, line_, what, advice));
+    throw InputError(fmt::format("{}:{}: not an STL surface: {}; {}", name_, line_, what, write_again));
   }
   [[nodiscard]] std::string place() const { return fmt::format(":{}", line_); }
 
@@ -127,7 +126,7 @@ private:
   int line_ = 1;
 };
 
-void parse_facet(Words& words, Collector& found) {
+void parse_facet(StlWords& words, Collector& found) {
   words.expect("normal");
   for (int k = 0; k < 3; ++k) (void)words.next();  // not used; some programs write nan for slivers
   words.expect("outer");
@@ -143,7 +142,7 @@ void parse_facet(Words& words, Collector& found) {
 }
 
 TriangleList parse_text(std::string_view text, const std::string& name) {
-  Words words(text, name);
+  StlWords words(text, name);
   Collector found(name);
   bool open = false;
   while (!words.at_end()) {
@@ -171,8 +170,7 @@ bool is_text(std::string_view bytes) {
   const auto no_text = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f'; };
   const auto first = std::find_if(head.begin(), head.end(), no_text);
   const auto clean = static_cast<std::size_t>(first - head.begin());
-  std::string text(head.substr(0, clean));
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::string text = lower(head.substr(0, clean));
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   for (std::size_t at = 0; at < text.size(); at = text.find_first_of("\r\n", at)) {
     at = text.find_first_not_of(" \t\r\n\f", at);
@@ -202,11 +200,11 @@ void require_sound(const TriangleList& list, const std::string& where) {
   for (std::size_t t = 0; t < list.triangle.size(); ++t)
     for (const int n : list.triangle[t]) {
       if (n < 0 || n >= points)
-        throw InputError(fmt::format("{}: triangle {} names a point that is not there; {}", where, t + 1, advice));
+        throw InputError(fmt::format("{}: triangle {} names a point that is not there; {}", where, t + 1, write_again));
       for (const double x : list.point[static_cast<std::size_t>(n)])
         if (!(std::abs(x) <= farthest_corner))
           throw InputError(fmt::format("{}: triangle {} has a corner at {}, which is no place within {:g} mm; {}",
-                                       where, t + 1, x, farthest_corner, advice));
+                                       where, t + 1, x, farthest_corner, write_again));
     }
 }
 

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/files/digest.hpp"
 #include "core/files/files.hpp"
+#include "core/files/text_words.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/geo_script.hpp"
 #include "mesher/tools/mesh_surface.hpp"
@@ -78,8 +79,7 @@ FileSurface as_it_stands(const fs::path& file, const SurfaceRequest& request) {
 
 SurfaceKind surface_kind(const fs::path& file) {
   if (is_cad_file(file)) return SurfaceKind::cad;
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower(file.extension().string());
   return ending == ".inp" || ending == ".msh" ? SurfaceKind::mesh : SurfaceKind::stl;
 }
 

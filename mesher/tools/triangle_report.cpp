@@ -22,8 +22,8 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using ExactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using SurfaceMesh = CGAL::Surface_mesh<ExactKernel::Point_3>;
 
 Vec3 doubled_area(const TriangleList& list, const Triangle& t) {
   return cross(minus(list.point[t[1]], list.point[t[0]]), minus(list.point[t[2]], list.point[t[0]]));
@@ -122,7 +122,7 @@ std::vector<int> pieces_of(const TriangleList& list, int& count) {
 
 // Triangles with an area, all turned alike.
 struct Soup {
-  std::vector<Kernel::Point_3> points;
+  std::vector<ExactKernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
 };
 Soup oriented_soup(const TriangleList& list) {

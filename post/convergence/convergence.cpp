@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/missing.hpp"
 
 namespace weaveform {
 
@@ -17,7 +18,6 @@ namespace {
 constexpr double safety = 1.25;          // Roache 1998, three levels
 constexpr double cautious_safety = 3.0;  // Oberkampf & Roy 2010
 constexpr double least_order = 0.5;
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 void check(const std::vector<Level>& levels) {
   for (const Level& level : levels) {
@@ -82,12 +82,11 @@ Convergence converge(std::vector<Level> three, double greatest_order) {
   const double fine = f2 - f1, coarse = f3 - f2;
   const double spread = std::max({f1, f2, f3}) - std::min({f1, f2, f3});
   const double rounding = 1e-12 * std::max({std::abs(f1), std::abs(f2), std::abs(f3)});
-  if (spread <= rounding)
-    return {Trend::unchanging, no_number, f1, rounding, f1 == 0.0 ? 0.0 : rounding / std::abs(f1)};
+  if (spread <= rounding) return {Trend::unchanging, missing, f1, rounding, f1 == 0.0 ? 0.0 : rounding / std::abs(f1)};
   if (std::abs(fine) <= rounding || coarse / fine <= 0.0)
-    return without_limit(Trend::oscillating, no_number, f1, spread, log_fine);
+    return without_limit(Trend::oscillating, missing, f1, spread, log_fine);
   const double order = order_of(coarse / fine, log_fine, log_coarse);
-  if (order <= 0.0) return without_limit(Trend::diverging, no_number, f1, std::abs(fine), log_fine);
+  if (order <= 0.0) return without_limit(Trend::diverging, missing, f1, std::abs(fine), log_fine);
   if (order < least_order) return without_limit(Trend::slow, order, f1, std::abs(fine), log_fine);
   const bool too_fast = order > greatest_order * (1.0 + 1e-6);
   const double correction = -fine / std::expm1(std::min(order, greatest_order) * log_fine);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/vector/eigen_vector.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "post/forming/part_axis.hpp"
 #include "solver/result/fields.hpp"
@@ -36,9 +37,5 @@ struct FabricSurface {
 
 // Where the axis passes through the fabric: in the first triangle that holds it; none when it misses.
 [[nodiscard]] std::optional<FabricPoint> pole_of(const FabricSurface& surface, const PartAxis& axis);
-
-[[nodiscard]] inline Eigen::Vector3d vector_of(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
 
 }  // namespace weaveform

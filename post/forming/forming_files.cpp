@@ -12,11 +12,11 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/chart/chart.hpp"
 #include "core/files/csv.hpp"
 #include "core/files/files.hpp"
+#include "core/vector/angle.hpp"
 #include "mesher/drape/sphere_net.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "post/forming/forming.hpp"
@@ -27,8 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double degrees = 180.0 / std::numbers::pi;  // per radian
-
 void write_meridians(const Forming& forming, const fs::path& directory) {
   std::string table = "azimuth_deg,arc_mm,shear_angle_deg,height_mm,radius_mm,x_mm,y_mm,z_mm\n";
   Chart chart{.title = "Shear angle along meridians"};
@@ -37,10 +35,11 @@ void write_meridians(const Forming& forming, const fs::path& directory) {
   for (std::size_t k = 0; k < meridian_azimuths.size(); ++k) {
     ChartSeries series{.label = fmt::format("{:g}° from the warp", meridian_azimuths[k])};
     for (const MeridianPoint& p : forming.meridian[k]) {
-      table += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}\n", meridian_azimuths[k],
-                           p.arc, p.angle * degrees, p.height, p.radius, p.place.x(), p.place.y(), p.place.z());
+      table +=
+          fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}\n", meridian_azimuths[k], p.arc,
+                      p.angle * degrees_per_radian, p.height, p.radius, p.place.x(), p.place.y(), p.place.z());
       series.x.push_back(p.arc);
-      series.y.push_back(p.angle * degrees);
+      series.y.push_back(p.angle * degrees_per_radian);
     }
     chart.series.push_back(series);
   }
@@ -90,8 +89,8 @@ void write_outline_lines(const Forming& forming, const Mesh& mesh, const Fields&
 void write_outline(const Forming& forming, const Mesh& mesh, const Fields& fields, const fs::path& directory) {
   std::string table = "azimuth_deg,radius_before_mm,radius_after_mm,draw_in_mm\n";
   for (const DrawInRow& r : forming.draw_in.row)
-    table +=
-        fmt::format("{:g},{:.10g},{:.10g},{:.10g}\n", std::round(r.azimuth * degrees), r.before, r.after, r.draw_in());
+    table += fmt::format("{:g},{:.10g},{:.10g},{:.10g}\n", std::round(r.azimuth * degrees_per_radian), r.before,
+                         r.after, r.draw_in());
   write_text_whole(directory / file_name::outline, table);
   write_outline_lines(forming, mesh, fields, directory / file_name::outline_lines);
 }
@@ -150,16 +149,17 @@ void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
   const double fold = sphere_net_end();
   for (std::size_t c = 0; c < fit.cell.size(); ++c) {
     const SphereNetCell& cell = fit.cell[c];
-    table += fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{},{}\n", c, cell.u, cell.v, cell.s, cell.angle * degrees,
-                         csv_number(cell.net * degrees), cell.on_sphere ? 1 : 0);
+    table +=
+        fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{},{}\n", c, cell.u, cell.v, cell.s,
+                    cell.angle * degrees_per_radian, csv_number(cell.net * degrees_per_radian), cell.on_sphere ? 1 : 0);
     if (std::abs(cell.s) > fold) continue;
     ChartSeries& series = cell.on_sphere ? on : off;
     series.x.push_back(cell.s);
-    series.y.push_back(cell.angle * degrees);
+    series.y.push_back(cell.angle * degrees_per_radian);
   }
   for (int k = -100; k <= 100; ++k) {
     net.x.push_back(fold * k / 100.0);
-    net.y.push_back(sphere_net_angle(net.x.back()) * degrees);
+    net.y.push_back(sphere_net_angle(net.x.back()) * degrees_per_radian);
   }
   Chart chart{.title = fmt::format("Shear angle over {}, R = {:g} mm", fit.tool, fit.radius)};
   chart.x.title = "s = u v / R²";

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "post/forming/forming.hpp"
 
 namespace weaveform {
@@ -12,7 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double degrees = 180.0 / std::numbers::pi;  // per radian
 constexpr int table_rows = 6;
 
 // null where there is no number
@@ -28,7 +28,7 @@ std::string text(std::optional<double> value) {
 }
 
 double azimuth_degrees(const Forming& forming, const Eigen::Vector3d& x) {
-  return forming.axis.azimuth(x) * degrees;
+  return forming.axis.azimuth(x) * degrees_per_radian;
 }
 
 std::string punch_lines(const PunchCurve& punch) {
@@ -50,8 +50,8 @@ Json sphere_json(const SphereNetFit& fit) {
   return {{"tool", fit.tool},
           {"radius_mm", fit.radius},
           {"cells", fit.cells},
-          {"rms_deg", number(fit.rms * degrees)},
-          {"largest_deg", number(fit.greatest * degrees)},
+          {"rms_deg", number(fit.rms * degrees_per_radian)},
+          {"largest_deg", number(fit.greatest * degrees_per_radian)},
           {"largest_s", fit.greatest_s},
           {"holds_to_s", fit.holds_to}};
 }
@@ -61,8 +61,8 @@ std::string sphere_lines(const SphereNetFit& fit) {
   return fmt::format(
       "net     on {} (R {:g} mm, {} cells, |uv/R2| to {:.2f}) the angle is off the inextensible net by {:.2f} deg rms, "
       "{:.2f} at most;\n        within {:g} deg to |uv/R2| = {:.2f}\n",
-      fit.tool, fit.radius, fit.cells, fit.greatest_s, fit.rms * degrees, fit.greatest * degrees, holds_within,
-      fit.holds_to);
+      fit.tool, fit.radius, fit.cells, fit.greatest_s, fit.rms * degrees_per_radian, fit.greatest * degrees_per_radian,
+      holds_within, fit.holds_to);
 }
 
 }  // namespace
@@ -85,13 +85,13 @@ Json forming_json(const Forming& forming) {
   if (forming.balance)
     json["force_balance"] = {{"largest_relative_difference", forming.balance->greatest},
                              {"at_time_s", forming.balance->at_time}};
-  json["shear_angle"] = {{"largest_deg", forming.greatest_angle * degrees},
+  json["shear_angle"] = {{"largest_deg", forming.greatest_angle * degrees_per_radian},
                          {"at_mm", list(at)},
                          {"azimuth_deg", azimuth_degrees(forming, at)},
                          {"radius_mm", forming.axis.radius(at)},
                          {"height_mm", forming.axis.height(at)}};
   json["draw_in_mm"] = {{"largest", draw.greatest},
-                        {"largest_at_deg", draw.greatest_at * degrees},
+                        {"largest_at_deg", draw.greatest_at * degrees_per_radian},
                         {"least", draw.least},
                         {"mean", draw.mean},
                         {"at_0_deg", number(draw.at(0.0))},
@@ -118,12 +118,13 @@ std::string forming_table(const Forming& forming) {
   if (forming.balance)
     lines += fmt::format("balance the tools' forces add up to zero within {:.3g} % at all times (worst at {:.4g} s)\n",
                          100.0 * forming.balance->greatest, forming.balance->at_time);
-  lines += fmt::format(
-      "shear   largest {:.2f} deg, {:.1f} deg from the warp, {:.1f} mm from the axis, height {:.1f} mm\n",
-      forming.greatest_angle * degrees, azimuth_degrees(forming, at), forming.axis.radius(at), forming.axis.height(at));
+  lines +=
+      fmt::format("shear   largest {:.2f} deg, {:.1f} deg from the warp, {:.1f} mm from the axis, height {:.1f} mm\n",
+                  forming.greatest_angle * degrees_per_radian, azimuth_degrees(forming, at), forming.axis.radius(at),
+                  forming.axis.height(at));
   lines += fmt::format("draw-in largest {:.2f} mm at {:.0f} deg, mean {:.2f}; at 0, 45, 90 deg {}, {}, {} mm\n",
-                       draw.greatest, draw.greatest_at * degrees, draw.mean, text(draw.at(0.0)), text(draw.at(quarter)),
-                       text(draw.at(2.0 * quarter)));
+                       draw.greatest, draw.greatest_at * degrees_per_radian, draw.mean, text(draw.at(0.0)),
+                       text(draw.at(quarter)), text(draw.at(2.0 * quarter)));
   lines += fmt::format(
       "wrinkle {:.3g} % of the area (relief above {:.3g} mm, curvature above {:.3g} /mm); relief {:.3g} mm, curvature "
       "{:.3g} /mm at most\n",

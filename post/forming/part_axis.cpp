@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/vector/eigen_vector.hpp"
 #include "solver/result/probe.hpp"
 
 namespace weaveform {
@@ -13,10 +14,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double steepest = 0.5;  // least cosine between an axis and the blank's normal for it to cross the blank
-
-Vector3d vector(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
 
 Vector3d direction_in_plane(const BlankSpec& blank, double degrees) {
   const double angle = (blank.orientation + blank.yarn_angle + degrees) * std::numbers::pi / 180.0;
@@ -58,15 +55,15 @@ int first_travelling_tool(const Scene& scene) {
 
 PartAxis part_axis(const Scene& scene, const std::vector<Tool>& tools) {
   PartAxis axis;
-  axis.origin = vector(scene.blank.position);
+  axis.origin = vector_of(scene.blank.position);
   if (const int t = first_travelling_tool(scene); t >= 0) {
     const Tool& tool = tools[t];
     for (const auto& along : {tool.start.axis, tool.direction}) {
-      const auto at = crossing(scene.blank, vector(tool.start.origin), vector(along));
+      const auto at = crossing(scene.blank, vector_of(tool.start.origin), vector_of(along));
       if (!at) continue;
       axis.tool = tool.name;
       axis.origin = *at;
-      axis.up = along[2] > 0.0 ? vector(along) : Vector3d(-vector(along));
+      axis.up = along[2] > 0.0 ? vector_of(along) : Vector3d(-vector_of(along));
       break;
     }
   }

@@ -1,13 +1,13 @@
 #include "post/measure/bias_comparison.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/vector/angle.hpp"
 
 namespace weaveform {
 
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr int table_rows = 6;
 
 // Travel of the grips apart at each history row: both may move, each counted out of the specimen.
@@ -55,7 +55,7 @@ BiasComparison compare_bias_extension(const BiasSpecimen& specimen, const Scene&
     for (std::size_t g = 0; g < 2; ++g)
       row.load[g] = specimen.outward[g] * history.values(specimen.grip[g] + ".force_N")[r];
     for (const MeasureSpec& measure : scene.measure)
-      row.measured_angle.push_back(radians_per_degree * history.values(measure.name + ".shear_angle_deg")[r]);
+      row.measured_angle.push_back(degree * history.values(measure.name + ".shear_angle_deg")[r]);
     comparison.row.push_back(row);
   }
   const double angle = comparison.row.empty() ? 0.0 : comparison.row.back().ideal_angle;

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <utility>
 
+#include "core/missing.hpp"
+
 namespace weaveform {
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 struct Side {
   int axis;       // 0 = x, 1 = y
@@ -78,7 +78,7 @@ std::optional<BiasSpecimen> find_bias_extension(const Scene& scene) {
 double inextensible_bias_load(const BiasSpecimen& specimen, const ShearCard& shear, double thickness, Thickness rule,
                               double travel) {
   const double angle = kinematic_shear_angle(specimen, travel);
-  if (!(angle < std::numbers::pi / 2.0)) return not_a_number;
+  if (!(angle < std::numbers::pi / 2.0)) return missing;
   const BiasLoadWeights weights = bias_load_weights(specimen.rectangle(), thickness, angle);
   return weights.full * effective_stress(shear, rule, angle) +
          weights.half * effective_stress(shear, rule, 0.5 * angle);

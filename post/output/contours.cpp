@@ -19,10 +19,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 
@@ -31,7 +31,6 @@ namespace weaveform {
 namespace {
 
 constexpr const char* angle_name = "shear_angle_deg";
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 vtkSmartPointer<vtkPoints> double_points(const std::vector<Vec3>& position) {
   auto points = vtkSmartPointer<vtkPoints>::New();

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/vector/angle.hpp"
 #include "solver/result/statistics.hpp"
 
 namespace weaveform {
@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr std::array zone_name = {"A", "B", "C"};
 constexpr std::array component = {".force_x_N", ".force_y_N", ".force_z_N"};
 

@@ -5,15 +5,14 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "post/output/summary.hpp"
 
 namespace weaveform {
 
 namespace {
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr std::array zone_title = {"A  centre", "B  half shear", "C  at grips"};
 
 constexpr int travel_column = 12;  // characters; of the table over the travel, whose headings are names

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/eigen_vector.hpp"
 #include "mesher/exchange/gathered.hpp"
 #include "solver/result/result_folder.hpp"
 
@@ -16,13 +17,6 @@ namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector_of(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
-Vec3 array_of(const Vector3d& a) {
-  return {a.x(), a.y(), a.z()};
-}
 
 // g_f = sum_a coefficient[f][a] x_a (mesh.hpp).
 std::array<Vector3d, 2> yarn_vectors(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
@@ -49,13 +43,13 @@ FibreState state_of(const Mesh& mesh, const ModelSpec& model, int cell, const st
   return state;
 }
 
+}  // namespace
+
 Vec3 centre_of(const std::vector<int>& node, const std::vector<Vec3>& position) {
   Vector3d sum = Vector3d::Zero();
   for (const int n : node) sum += vector_of(position[n]);
   return array_of(sum / static_cast<double>(node.size()));
 }
-
-}  // namespace
 
 FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<Vec3>& position) {
   FibreField field;

@@ -50,6 +50,8 @@ struct FibreField {
 [[nodiscard]] FibreField read_fibre_field(ResultFolder& folder);
 // The same from a mesh and positions in memory.
 [[nodiscard]] FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<Vec3>& position);
+// Mean of a shell's corners.
+[[nodiscard]] Vec3 centre_of(const std::vector<int>& node, const std::vector<Vec3>& position);
 
 // How a structural mesh lies to the formed fabric.
 struct Onto {

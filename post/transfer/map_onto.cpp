@@ -19,6 +19,7 @@
 #include "core/error.hpp"
 #include "core/files/text_words.hpp"
 #include "core/keys/length_unit.hpp"
+#include "core/vector/eigen_vector.hpp"
 #include "mesher/exchange/foreign_mesh.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
 #include "mesher/tools/triangle_list.hpp"
@@ -29,13 +30,6 @@ namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector_of(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
-Vec3 array_of(const Vector3d& a) {
-  return {a.x(), a.y(), a.z()};
-}
 
 // Of quadrilaterals half the cross product of the diagonals, of triangles that of two sides.
 Vector3d area_vector(const std::vector<int>& node, const std::vector<Vec3>& position) {
@@ -87,12 +81,6 @@ vtkSmartPointer<vtkPolyData> surface_of(const FibreField& fabric) {
   surface->SetPoints(points);
   surface->SetPolys(cells);
   return surface;
-}
-
-Vec3 centre_of(const std::vector<int>& node, const std::vector<Vec3>& position) {
-  Vector3d sum = Vector3d::Zero();
-  for (const int n : node) sum += vector_of(position[n]);
-  return array_of(sum / static_cast<double>(node.size()));
 }
 
 FibreState turned_into_plane(const Nodal& at, const Vector3d& normal, const std::string& where) {

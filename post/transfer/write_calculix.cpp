@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "core/keys/length_unit.hpp"
+#include "core/vector/angle.hpp"
+#include "core/vector/eigen_vector.hpp"
 #include "mesher/exchange/gathered.hpp"
 #include "post/transfer/write_fibre.hpp"
 
@@ -19,7 +20,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double thickness_step = 0.01;  // of a thickness
 constexpr double same_direction = 1e-9;  // components that differ less are the same
 
@@ -28,10 +28,6 @@ struct Group {
   Vector3d warp = Vector3d::Zero(), weft = Vector3d::Zero();  // means
   double thickness = 0.0;                                     // mm; mean
 };
-
-Vector3d vector_of(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
 
 std::vector<Group> mean_groups(std::map<std::array<long, 7>, Group> sorted) {
   std::vector<Group> groups;
@@ -51,7 +47,7 @@ std::vector<Group> mean_groups(std::map<std::array<long, 7>, Group> sorted) {
 
 // Directions are sorted into cubes whose diagonal is the angle, so that no two of one cube are farther apart.
 std::vector<Group> groups_of(const FibreField& field, double group_angle) {
-  const double side = std::max(2.0 * std::sin(0.5 * group_angle / degrees) / std::sqrt(3.0), same_direction);
+  const double side = std::max(2.0 * std::sin(0.5 * group_angle / degrees_per_radian) / std::sqrt(3.0), same_direction);
   std::map<std::array<long, 7>, Group> sorted;
   for (const auto& element : field.element) {
     if (element.far) continue;
@@ -73,7 +69,7 @@ double greatest_deviation(const std::vector<Group>& groups) {
     for (const StateElement* element : group.element)
       for (const auto& [mean, own] : {std::pair{group.warp, vector_of(element->state.warp)},
                                       std::pair{group.weft, vector_of(element->state.weft)}})
-        worst = std::max(worst, std::atan2(mean.cross(own).norm(), mean.dot(own)) * degrees);
+        worst = std::max(worst, std::atan2(mean.cross(own).norm(), mean.dot(own)) * degrees_per_radian);
   return worst;
 }
 

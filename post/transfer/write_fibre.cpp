@@ -14,17 +14,15 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "core/keys/length_unit.hpp"
+#include "core/vector/angle.hpp"
 #include "mesher/exchange/gathered.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform {
 
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 std::string n20(double value) {
   return foreign::fit(value, 20);
@@ -94,7 +92,7 @@ PlaneAngle angle_in_plane(const FibreField& field, const StateElement& element, 
       (element.node.size() == 4 ? (x(2) - x(0)).cross(x(3) - x(1)) : (x(1) - x(0)).cross(x(2) - x(0))).normalized();
   const Vector3d r(reference[0], reference[1], reference[2]), d(direction[0], direction[1], direction[2]);
   const Vector3d base = r - r.dot(normal) * normal;
-  const double least = std::sin(5.0 / degrees);
+  const double least = std::sin(5.0 / degrees_per_radian);
   return {std::atan2(normal.dot(base.cross(d)), base.dot(d)), base.norm() >= least};
 }
 
@@ -110,7 +108,7 @@ FibreText drape_openradioss(const FibreField& field, const std::string& written_
       if (!found.good) ++steep;
       block[f] += fmt::format("{:<10}{:>10}{:>20}{:>20}\n", element.node.size() == 4 ? "SHELL" : "SH3N", element.number,
                               foreign::fit(element.state.thickness / field.flat_thickness, 19),
-                              foreign::fit(found.angle * degrees, 19));
+                              foreign::fit(found.angle * degrees_per_radian, 19));
     }
   }
   result.not_carried = {"fibre volume and mass ratios, distances: only in csv and vtu"};
@@ -148,8 +146,8 @@ FibreText fibre_csv(const FibreField& field) {
     result.text +=
         fmt::format("{},{},{},{},{}\n", element.number, fmt::join(element.centre, ","), fmt::join(s.warp, ","),
                     fmt::join(s.weft, ","),
-                    fmt::format("{},{},{},{},{},{}", s.shear_angle * degrees, s.thickness, s.fibre_volume_ratio,
-                                s.fibre_mass_ratio, element.distance, element.far ? 0 : 1));
+                    fmt::format("{},{},{},{},{},{}", s.shear_angle * degrees_per_radian, s.thickness,
+                                s.fibre_volume_ratio, s.fibre_mass_ratio, element.distance, element.far ? 0 : 1));
   }
   return result;
 }
@@ -180,7 +178,7 @@ void write_fibre_vtu(const FibreField& field, const std::filesystem::path& file)
     number->InsertNextValue(element.number);
     warp->InsertNextTuple(s.warp.data());
     weft->InsertNextTuple(s.weft.data());
-    angle->InsertNextValue(s.shear_angle * degrees);
+    angle->InsertNextValue(s.shear_angle * degrees_per_radian);
     thickness->InsertNextValue(s.thickness);
     volume->InsertNextValue(s.fibre_volume_ratio);
     mass->InsertNextValue(s.fibre_mass_ratio);

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
+
+#include "core/vector/angle.hpp"
 
 namespace weaveform {
 
@@ -76,7 +77,6 @@ double closed_form_ratio(const ShearCard& card, Formulation formulation, Thickne
 }
 
 double formulation_holds_to(const ShearCard& card, Formulation formulation, Thickness thickness, double tolerance) {
-  constexpr double degree = std::numbers::pi / 180.0;
   constexpr int last = 89;  // deg; gL is 4.7 there, and infinite at 90
   const auto holds = [&](double angle) {
     // where a law gives no stress there is no ratio, and nothing wrong

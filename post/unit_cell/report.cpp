@@ -6,14 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
+
+#include "core/vector/angle.hpp"
 
 namespace weaveform {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::array<double, 4> table_angles = {15.0, 30.0, 45.0, 60.0};  // deg
 
 // The angles shown: about one a degree counted from 0, and both ends.

@@ -6,14 +6,13 @@
 #include <limits>
 #include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "post/unit_cell/closed_form.hpp"
 #include "solver/unit_cell.hpp"
 
 namespace weaveform {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 ModelSpec model_of(const UnitCellVariant& variant) {
   ModelSpec model;

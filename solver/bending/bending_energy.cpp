@@ -4,16 +4,13 @@
 #include <cmath>
 #include <map>
 
+#include "core/vector/eigen_vector.hpp"
 #include "solver/state/packed.hpp"
 
 namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
 
 Vector3d unit(const Vector3d& a) {
   const double length = a.norm();
@@ -28,9 +25,9 @@ struct Turn {
 
 Turn turn_of(const YarnBend& yarn, int node, const std::vector<Vec3>& position) {
   if (yarn.yarns == 0.0) return {};
-  const Vector3d x = vector(position[node]);
-  const Vector3d before = yarn.fixed_before ? vector(yarn.fixed) : unit(x - vector(position[yarn.before]));
-  const Vector3d after = yarn.fixed_after ? vector(yarn.fixed) : unit(vector(position[yarn.after]) - x);
+  const Vector3d x = vector_of(position[node]);
+  const Vector3d before = yarn.fixed_before ? vector_of(yarn.fixed) : unit(x - vector_of(position[yarn.before]));
+  const Vector3d after = yarn.fixed_after ? vector_of(yarn.fixed) : unit(vector_of(position[yarn.after]) - x);
   Turn turn{after - before, 0.0};
   const double u = turn.c.squaredNorm();
   turn.factor = std::sqrt(1.0 + u / 12 + u * u / 90 + u * u * u / 560) / yarn.spread;
@@ -39,7 +36,7 @@ Turn turn_of(const YarnBend& yarn, int node, const std::vector<Vec3>& position) 
 
 // From the yarn's node before to that after; in jaws it goes on as far as outside.
 Vector3d span_of(const YarnBend& yarn, const std::vector<Vec3>& position) {
-  return vector(position[yarn.after]) - vector(position[yarn.before]) + 2.0 * yarn.spread * vector(yarn.fixed);
+  return vector_of(position[yarn.after]) - vector_of(position[yarn.before]) + 2.0 * yarn.spread * vector_of(yarn.fixed);
 }
 
 Vector3d plane_normal(const Bend& bend, const std::vector<Vec3>& position) {
@@ -98,8 +95,8 @@ double twist_energy(const std::vector<TwistCell>& cells, double twist, const std
                     const std::vector<Vec3>& position) {
   double energy = 0.0;
   for (const auto& cell : cells) {
-    const Vector3d x00 = vector(position[cell.node[0]]), x10 = vector(position[cell.node[1]]),
-                   x11 = vector(position[cell.node[2]]), x01 = vector(position[cell.node[3]]);
+    const Vector3d x00 = vector_of(position[cell.node[0]]), x10 = vector_of(position[cell.node[1]]),
+                   x11 = vector_of(position[cell.node[2]]), x01 = vector_of(position[cell.node[3]]);
     const Vector3d normal = unit((x11 - x00).cross(x01 - x10));
     const double curvature = (x00 - x10 - x01 + x11).dot(normal) / (spacing[0] * spacing[1]);
     energy += 2.0 * twist * cell.area * curvature * curvature;

@@ -5,23 +5,21 @@
 #include <cmath>
 #include <map>
 
+#include "core/vector/eigen_vector.hpp"
+
 namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
 
-Vector3d vector(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
-
 // Curvature (1/mm) and transverse shear angle of an edge.
 std::array<double, 2> strains(int a, int b, double rest_length, const std::vector<Vec3>& position,
                               const std::vector<Vec3>& director) {
-  const Vector3d t = (vector(position[b]) - vector(position[a])).normalized();
-  const double turn = t.dot(vector(director[b]) - vector(director[a]));
+  const Vector3d t = (vector_of(position[b]) - vector_of(position[a])).normalized();
+  const double turn = t.dot(vector_of(director[b]) - vector_of(director[a]));
   const double u = turn * turn;
   const double curvature = turn * std::sqrt(1.0 + u / 12 + u * u / 90 + u * u * u / 560) / rest_length;
-  return {curvature, 0.5 * t.dot(vector(director[b]) + vector(director[a]))};
+  return {curvature, 0.5 * t.dot(vector_of(director[b]) + vector_of(director[a]))};
 }
 
 }  // namespace
@@ -62,8 +60,8 @@ double shell_energy(const std::vector<ShellEdge>& edges, const std::vector<Twist
   }
   for (const auto& cell : cells) {
     const auto gradient = [&](const std::vector<Vec3>& field, int along) {
-      const Vector3d f00 = vector(field[cell.node[0]]), f10 = vector(field[cell.node[1]]),
-                     f11 = vector(field[cell.node[2]]), f01 = vector(field[cell.node[3]]);
+      const Vector3d f00 = vector_of(field[cell.node[0]]), f10 = vector_of(field[cell.node[1]]),
+                     f11 = vector_of(field[cell.node[2]]), f01 = vector_of(field[cell.node[3]]);
       return Vector3d(0.5 * (along == 0 ? f10 - f00 + f11 - f01 : f01 - f00 + f11 - f10) / spacing[along]);
     };
     const double twist =

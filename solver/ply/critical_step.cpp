@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/vector/eigen_vector.hpp"
 #include "solver/constraint/ties.hpp"
 
 namespace weaveform {
@@ -11,10 +12,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Vector3d vector(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
 
 // MPa; greatest dN/dL L0/A0 of a yarn at least <= e <= 0. Shortening makes it stiffer than its tangent C:
 //   incompressible section  exp(-2e) (C - s),  constant section  exp(-e) C        (s <= 0)
@@ -44,7 +41,7 @@ Matrix3d reflection(const MeshSymmetry& symmetry, unsigned planes) {
   Matrix3d matrix = Matrix3d::Identity();
   for (std::size_t k = 0; k < symmetry.plane.size(); ++k) {
     if ((planes >> k & 1U) == 0) continue;
-    const Vector3d normal = vector(symmetry.plane[k].normal);
+    const Vector3d normal = vector_of(symmetry.plane[k].normal);
     matrix -= 2.0 * normal * (normal.transpose() * matrix);
   }
   return matrix;
@@ -103,7 +100,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
   std::vector<Matrix3d> bound(mesh_.node_count(), Matrix3d::Zero());
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     const auto [a, b] = mesh_.yarns.node[e];
-    const Vector3d along = (vector(position[b]) - vector(position[a])).normalized();
+    const Vector3d along = (vector_of(position[b]) - vector_of(position[a])).normalized();
     const double modulus = yarn_modulus[mesh_.yarns.family[e] == Family::warp ? 0 : 1];
     const Matrix3d stiffness = modulus * yarn_shape_[e] * along * along.transpose();
     bound[a] += (held_[b] ? 1.0 : 2.0) * stiffness;
@@ -115,7 +112,7 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
     const int begin = mesh_.cells.offset[c], end = mesh_.cells.offset[c + 1];
     Vector3d g1 = Vector3d::Zero(), g2 = Vector3d::Zero();
     for (int a = begin; a < end; ++a) {
-      const Vector3d x = vector(position[mesh_.cells.node[a]]);
+      const Vector3d x = vector_of(position[mesh_.cells.node[a]]);
       g1 += mesh_.cells.coefficient[a][0] * x;
       g2 += mesh_.cells.coefficient[a][1] * x;
     }

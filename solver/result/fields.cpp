@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/vector/eigen_vector.hpp"
 #include "solver/state/packed.hpp"
 
 namespace weaveform {
@@ -13,13 +14,6 @@ namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector_of(const Vec3& a) {
-  return {a[0], a[1], a[2]};
-}
-Vec3 array_of(const Vector3d& a) {
-  return {a.x(), a.y(), a.z()};
-}
 
 struct YarnDirections {
   Vector3d warp = Vector3d::Zero(), weft = Vector3d::Zero();  // 1; not normalised: |g| is the stretch at the centre

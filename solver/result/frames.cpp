@@ -20,13 +20,13 @@
 #include <cmath>
 #include <initializer_list>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/vector/angle.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "solver/result/beside.hpp"
 #include "solver/result/file_names.hpp"
@@ -37,8 +37,6 @@ namespace weaveform {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 std::string frame_name(std::size_t number) {
   return fmt::format("{}/frame_{:04d}.vtu", file_name::frames, number);

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <sstream>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "post/dic/comparison/compare.hpp"
 #include "post/dic/virtual/zone_border.hpp"
 #include "tests/support/run_command.hpp"
@@ -21,8 +21,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using namespace weaveform;
 using test::run_command;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 class DicLoop : public testing::Test {
 protected:

@@ -13,17 +13,6 @@ namespace weaveform::test {
 
 namespace fs = std::filesystem;
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "weaveform-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder: " + name);
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 CommandResult run_command(const std::string& command, const fs::path& folder) {
   // Kept outside `folder`, so that tests may list it.
   const TemporaryFolder captured;

@@ -1,12 +1,13 @@
-// A folder of its own for one test, removed afterwards; and a disk that fills up.
+// A folder of its own, removed at the end; and a disk that fills up.
 #pragma once
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace weaveform::test {
@@ -14,10 +15,9 @@ namespace weaveform::test {
 class TemporaryFolder {
 public:
   TemporaryFolder() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(testing::TempDir()) /
-            (std::string("weaveform_") + info->test_suite_name() + "_" + info->name() + "_" + std::to_string(getpid()));
-    std::filesystem::create_directories(path_);
+    std::string name = (std::filesystem::temp_directory_path() / "weaveform-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder: " + name);
+    path_ = name;
   }
   ~TemporaryFolder() {
     std::error_code unimportant;

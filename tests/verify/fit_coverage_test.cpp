@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "fabric/identify/shear_fit.hpp"
 #include "fabric/identify/tension_fit.hpp"
 #include "tests/support/fit_folder.hpp"
@@ -12,7 +12,6 @@
 namespace weaveform::identify {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;  // rad
 constexpr int seeds = 400;
 constexpr double confidence = 0.95;
 // Two standard deviations of a share of 95 % counted over 400 seeds are 2.2 %; three, 3.3 %.

@@ -1,8 +1,7 @@
 // Tables 2 and 3 of the paper come back from raw tests made of them: machine files in, card out.
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "core/vector/angle.hpp"
 #include "fabric/trellis/bias_rectangle.hpp"
 #include "fabric/trellis/shear_frame.hpp"
 #include "tests/support/fit_folder.hpp"
@@ -10,8 +9,7 @@
 namespace weaveform {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;  // rad
-constexpr ShearFrame frame{216.0, 120.0};            // mm; the paper's
+constexpr ShearFrame frame{216.0, 120.0};  // mm; the paper's
 
 // Force (N) of a straight yarn of that modulus (MPa) and section (mm^2) at the machine's displacement.
 void write_yarn(const test::FitFolder& folder, const std::string& name, double modulus, double section, double gauge) {

@@ -2,18 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "fabric/trellis/shear_frame.hpp"
 #include "tests/support/fit_folder.hpp"
 
 namespace weaveform {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;  // rad
-constexpr double modulus = 20000.0;                  // MPa
-constexpr double section = 1.25;                     // mm^2
-constexpr double gauge = 1000.0;                     // mm
+constexpr double modulus = 20000.0;  // MPa
+constexpr double section = 1.25;     // mm^2
+constexpr double gauge = 1000.0;     // mm
 
 struct Rows {
   std::vector<double> x, y;

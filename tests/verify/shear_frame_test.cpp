@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "tests/support/scene_run.hpp"
 
 namespace weaveform {
@@ -14,8 +14,6 @@ namespace {
 
 using test::example;
 using test::Solved;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 struct Worst {
   double load = 0.0;    // 1; relative to `expected(angle)`

@@ -18,7 +18,7 @@ namespace {
 using namespace test;
 
 constexpr double force = 20.0, duration = 0.1;  // N, s
-constexpr double border = 0.01;
+constexpr double greatest_error = 0.01;
 
 // A strip pressed between plates and pulled out slowly.
 Scene pressed(double mass, double damping) {
@@ -86,7 +86,7 @@ template <class Predict>
 double bisect(Predict predict, double holds, double fails) {
   for (int n = 0; n < 12; ++n) {
     const double middle = std::sqrt(holds * fails);
-    (predict(middle) < border ? holds : fails) = middle;
+    (predict(middle) < greatest_error ? holds : fails) = middle;
   }
   return holds;
 }
@@ -95,9 +95,9 @@ TEST(BinderDamping, TooMuchLagsBehindTheForce) {
   const double law = contact_law(), mass = 1e-4;
   const double greatest = bisect([&](double c) { return predicted(law, mass, c); }, 1e4, 1e9);
   const Seen below = seen(mass, greatest / 1.2), above = seen(mass, greatest * 1.2);
-  EXPECT_LT(below.off, border) << greatest;
+  EXPECT_LT(below.off, greatest_error) << greatest;
   EXPECT_FALSE(below.warned);
-  EXPECT_GT(above.off, border) << greatest;
+  EXPECT_GT(above.off, greatest_error) << greatest;
   EXPECT_TRUE(above.warned);
 }
 
@@ -107,9 +107,9 @@ TEST(BinderDamping, TooLittleLetsAHeavyBinderSwing) {
   const double frequency = 8.0 / (force_rise * duration), mass = tangent / (frequency * frequency);
   const double least = bisect([&](double c) { return predicted(law, mass, c); }, frequency, 1.0);
   const Seen above = seen(mass, least * 1.5), below = seen(mass, least / 1.5);
-  EXPECT_LT(above.off, border) << least;
+  EXPECT_LT(above.off, greatest_error) << least;
   EXPECT_FALSE(above.warned);
-  EXPECT_GT(below.off, border) << least;
+  EXPECT_GT(below.off, greatest_error) << least;
   EXPECT_TRUE(below.warned);
 }
 

@@ -19,7 +19,7 @@ constexpr double strip_length = 118.08;  // mm; twelve cells of the plain weave 
 // A strip pressed together by `shortening` mm between clamps. A thousandth of its weight lets it leave its plane;
 // linear yarns, for those of the card have no stiffness to hold that little at zero strain; a tenth of theirs, for the
 // time.
-Scene pressed(double shortening, double coarsening, YarnElement yarn, CellElement cell) {
+Scene pressed_together(double shortening, double coarsening, YarnElement yarn, CellElement cell) {
   Scene scene = test::strip_scene("twintex-pw", {strip_length, 59.04}, coarsening, -shortening);
   scene.model.yarn = yarn;
   scene.model.cell = cell;
@@ -59,7 +59,7 @@ TEST(StabilityCompression, SheetsThatBendBuckleAtEulersStrainOnEveryMesh) {
                                                std::tuple{YarnElement::truss, CellElement::shell, 2.0},
                                                std::tuple{YarnElement::truss, CellElement::rotation_free, 4.0}}) {
     SCOPED_TRACE(testing::Message() << name_of(yarn) << " + " << name_of(cell) << ", coarsening " << coarsening);
-    Scene scene = pressed(0.1, coarsening, yarn, cell);
+    Scene scene = pressed_together(0.1, coarsening, yarn, cell);
     const double euler = euler_rigidity(scene), half_thickness = 0.25;  // N mm, mm
     set_rigidity(scene, 1.25 * euler);
     EXPECT_LT(folds_of(Solved(scene)).out_of_plane, half_thickness);
@@ -76,11 +76,11 @@ TEST(StabilityCompression, SheetsThatBendBuckleAtEulersStrainOnEveryMesh) {
 TEST(StabilityCompression, AMembraneFoldsFromCellToCellAndSaysSo) {
   for (const double coarsening : {4.0, 2.0}) {
     SCOPED_TRACE(coarsening);
-    const Solved membrane(pressed(2.0, coarsening, YarnElement::truss, CellElement::membrane));
+    const Solved membrane(pressed_together(2.0, coarsening, YarnElement::truss, CellElement::membrane));
     EXPECT_GT(folds_of(membrane).zigzag_share, 0.2);
     EXPECT_TRUE(test::says(test::warnings_of(membrane), "no bending stiffness"));
   }
-  Scene scene = pressed(2.0, 2.0, YarnElement::truss, CellElement::rotation_free);
+  Scene scene = pressed_together(2.0, 2.0, YarnElement::truss, CellElement::rotation_free);
   set_rigidity(scene, 0.25 * euler_rigidity(scene));
   const Solved sheet(scene);
   EXPECT_GT(folds_of(sheet).out_of_plane, 5.0);
@@ -90,7 +90,7 @@ TEST(StabilityCompression, AMembraneFoldsFromCellToCellAndSaysSo) {
 
 // Pressed by a quarter of its length the membrane turns cells over.
 TEST(StabilityCompression, CellsThatAreTurnedOverAreToldOf) {
-  Scene scene = pressed(30.0, 4.0, YarnElement::truss, CellElement::membrane);
+  Scene scene = pressed_together(30.0, 4.0, YarnElement::truss, CellElement::membrane);
   scene.analysis.duration = 0.2;
   scene.analysis.damping.reset();
   const Solved run(scene);

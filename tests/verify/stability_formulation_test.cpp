@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "fabric/trellis/shear_frame.hpp"
 #include "post/unit_cell/closed_form.hpp"
 #include "post/unit_cell/study.hpp"
@@ -16,8 +16,6 @@ namespace weaveform {
 namespace {
 
 using test::Solved;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 const std::vector<std::pair<Formulation, Thickness>> variants = {
     {Formulation::energy, Thickness::constant_volume},

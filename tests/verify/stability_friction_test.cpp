@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 
 // bench/stability/friction.toml, hemisphere at coarsening 8
-constexpr double border = 0.587;
+constexpr double greatest_mu = 0.587;
 
 SolveResult drawn(double coarsening, double friction) {
   Scene scene = example("hemisphere_pw");
@@ -24,14 +24,14 @@ SolveResult drawn(double coarsening, double friction) {
 }
 
 TEST(Friction, BeyondWhatNodesBearTheRunStops) {
-  EXPECT_LT(drawn(8.0, border / 1.2).statistics.energy_error, 0.01);
+  EXPECT_LT(drawn(8.0, greatest_mu / 1.2).statistics.energy_error, 0.01);
   try {
-    (void)drawn(8.0, border * 1.2);
+    (void)drawn(8.0, greatest_mu * 1.2);
     FAIL() << "not stopped";
   } catch (const PhysicsError& error) {
     EXPECT_NE(std::string(error.what()).find("more than the fabric's thickness"), std::string::npos) << error.what();
   }
-  EXPECT_LT(drawn(4.0, border * 1.2).statistics.energy_error, 0.01);  // the same friction on a finer mesh
+  EXPECT_LT(drawn(4.0, greatest_mu * 1.2).statistics.energy_error, 0.01);  // the same friction on a finer mesh
 }
 
 // At the greatest coefficient a scene may have a belt does not slide: its held end feels nothing, while the pulled one

@@ -41,20 +41,20 @@ double load_error(const History& fast, const History& slow, const std::string& p
   return worst / greatest;
 }
 
-struct Case {
+struct SpeedCase {
   std::string example, part;
   std::vector<std::string> overrides;
   double slow, border;  // s; durations: of the reference, and where the share is 2 % (bench/stability/loading_speed*)
 };
 
-Scene at_duration(const Case& test, double duration) {
+Scene at_duration(const SpeedCase& test, double duration) {
   Scene scene = example(test.example, test.overrides);
   scene.analysis.duration = duration;
   return scene;
 }
 
 // `multiplied`: least and greatest ratio of the load's error to the share of inertia.
-void check_border(const Case& test, const std::array<double, 2>& multiplied) {
+void check_border(const SpeedCase& test, const std::array<double, 2>& multiplied) {
   const Solved slow(at_duration(test, test.slow));
   for (const double side : {1.2, 1.0 / 1.2}) {
     const Solved fast(at_duration(test, side * test.border));

@@ -10,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "core/vector/angle.hpp"
 #include "post/unit_cell/closed_form.hpp"
 #include "post/unit_cell/report.hpp"
 #include "post/unit_cell/study.hpp"
@@ -17,12 +18,10 @@
 namespace weaveform {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 // Card, shape (0 square, 1 rectangular), thickness.
-using Case = std::tuple<const char*, int, Thickness>;
+using UnitCellCase = std::tuple<const char*, int, Thickness>;
 
-class UnitCell : public testing::TestWithParam<Case> {
+class UnitCell : public testing::TestWithParam<UnitCellCase> {
 protected:
   [[nodiscard]] static Card card() { return load_card(std::get<0>(GetParam())); }
   [[nodiscard]] static std::array<double, 2> sides() { return cell_shapes(card())[std::get<1>(GetParam())].sides; }

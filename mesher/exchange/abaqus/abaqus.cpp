@@ -1,11 +1,11 @@
-// Abaqus input file. Every line after `**` is a comment there. Abaqus and CalculiX read at most 20 characters of a
-// number, so the exact values stand in the weaveform lines.
+// Abaqus input file. Every line after `**` is a comment there.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
+#include "mesher/exchange/abaqus/inp_words.hpp"
 #include "mesher/exchange/weave_lines.hpp"
 #include "mesher/exchange/writers.hpp"
 
@@ -13,28 +13,13 @@ namespace weaveform::foreign {
 
 namespace {
 
-constexpr std::size_t width = 20;  // characters of a number
-
-std::string num(double value) {
-  return fit(value, width);
-}
-
-void add_list(std::string& out, const std::vector<int>& numbers) {
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    out += fmt::format("{}{}", numbers[k], k + 1 == numbers.size() ? "\n" : (k % 16 == 15 ? ",\n" : ", "));
-}
-
 bool is_shell(const Gathered& model) {
   return model.scene.model.cell != CellElement::membrane;
 }
 
 void add_mesh(const Gathered& model, std::string& out) {
   const Mesh& mesh = model.mesh;
-  out += "*NODE, NSET=ALL_NODES\n";
-  for (int n = 0; n < mesh.node_count(); ++n) {
-    const auto& x = mesh.nodes.position[n];
-    out += fmt::format("{}, {}, {}, {}\n", n + 1, num(x[0]), num(x[1]), num(x[2]));
-  }
+  add_nodes(mesh, out);
   const char* line_type = model.scene.model.yarn == YarnElement::beam ? "B31" : "T3D2";
   for (const auto& group : model.yarns) {
     out += fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", line_type, group.name);
@@ -83,11 +68,7 @@ void add_sets(const Gathered& model, std::string& out) {
     if (has_shells(model, size)) out += fmt::format("CELLS_{}\n", size);
   if (!model.members.empty()) out += "*ELSET, ELSET=FRAME\nFRAME_MEMBERS\n";
   for (const auto& set : model.sets) {
-    if (set.node.empty()) continue;
-    std::vector<int> numbers;
-    for (const int n : set.node) numbers.push_back(n + 1);
-    out += fmt::format("*NSET, NSET={}\n", plain_name(set.name));
-    add_list(out, numbers);
+    add_node_set(set.name, set.node, out);
   }
 }
 

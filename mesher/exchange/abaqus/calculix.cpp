@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/vector/vector.hpp"
+#include "mesher/exchange/abaqus/inp_words.hpp"
 #include "mesher/exchange/cell_springs.hpp"
 #include "mesher/exchange/laws.hpp"
 #include "mesher/exchange/ties.hpp"
@@ -19,31 +20,6 @@ namespace weaveform::foreign {
 namespace {
 
 constexpr std::size_t most_points = 200;  // that CalculiX reads of a table
-
-std::string num(double value) {
-  return fit(value, 20);
-}
-
-void add_list(std::string& out, const std::vector<int>& numbers) {
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    out += fmt::format("{}{}", numbers[k], k + 1 == numbers.size() ? "\n" : (k % 16 == 15 ? ",\n" : ", "));
-}
-
-void add_node_set(const std::string& name, const std::vector<int>& nodes, std::string& out) {
-  if (nodes.empty()) return;
-  std::vector<int> numbers;
-  for (const int n : nodes) numbers.push_back(n + 1);
-  out += fmt::format("*NSET, NSET={}\n", plain_name(name));
-  add_list(out, numbers);
-}
-
-void add_nodes(const Mesh& mesh, std::string& out) {
-  out += "*NODE, NSET=ALL_NODES\n";
-  for (int n = 0; n < mesh.node_count(); ++n) {
-    const auto& x = mesh.nodes.position[n];
-    out += fmt::format("{}, {}, {}, {}\n", n + 1, num(x[0]), num(x[1]), num(x[2]));
-  }
-}
 
 // The line after *SPRING holds directions of other kinds of springs.
 void add_law(const std::string& set, const Points& points, std::string& out) {

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/keys/toml_document.hpp"
+#include "core/missing.hpp"
 #include "fabric/identify/raw_table.hpp"
 #include "fabric/identify/unit.hpp"
 #include "post/dic/comparison/output.hpp"
@@ -19,7 +20,6 @@ namespace weaveform::dic {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // Asks for the travel or load of the k-th stage when neither its file nor the settings tell it.
 void ask_state(const StagesSpec& spec, std::size_t k, const MeasuredStage& stage, Questions& questions) {
@@ -159,7 +159,7 @@ LoadCurve overlay(const Simulation& simulation, const MeasuredLoad& measured) {
   for (std::size_t i = 0; i < simulation.travel().size(); ++i) {
     const double travel = simulation.travel()[i], simulated = simulation.force()[i];
     const bool covered = travel >= measured.travel.front() && travel <= measured.travel.back();
-    const double force = covered ? interpolated(measured.travel, measured.force, travel) : none;
+    const double force = covered ? interpolated(measured.travel, measured.force, travel) : missing;
     curve.travel.push_back(travel);
     curve.simulated.push_back(simulated);
     curve.measured.push_back(force);
@@ -169,7 +169,7 @@ LoadCurve overlay(const Simulation& simulation, const MeasuredLoad& measured) {
     sum += (force - simulated) * (force - simulated);
     ++count;
   }
-  curve.rms = count > 0 ? std::sqrt(sum / count) : none;
+  curve.rms = count > 0 ? std::sqrt(sum / count) : missing;
   curve.ratio = product / square;
   return curve;
 }

@@ -16,15 +16,13 @@
 
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "core/files/files.hpp"
+#include "core/vector/angle.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform::dic {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 void append_number(fmt::memory_buffer& text, double value) {
   text.push_back(',');
@@ -34,7 +32,7 @@ void append_number(fmt::memory_buffer& text, double value) {
 std::vector<double> in_degrees(const std::vector<double>& angle) {
   std::vector<double> result;
   result.reserve(angle.size());
-  for (const double value : angle) result.push_back(value * degrees);
+  for (const double value : angle) result.push_back(value * degrees_per_radian);
   return result;
 }
 
@@ -86,7 +84,7 @@ void write_points_csv(const StageFields& fields, double coverage, const std::fil
     for (std::size_t k = 0; k < 3; ++k)
       append_number(text, fields.points->facets.found(i) ? fields.levelled_displacement[i][k] : NAN);
     for (const auto* angle : {&fields.measured, &fields.levelled, &fields.raw, &fields.difference, &fields.uncertainty})
-      append_number(text, (*angle)[i] * degrees);
+      append_number(text, (*angle)[i] * degrees_per_radian);
     const int agrees = agreement(fields, i, coverage);
     text.push_back(',');
     if (agrees >= 0) text.push_back(agrees == 1 ? '1' : '0');

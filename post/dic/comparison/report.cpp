@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "core/chart/chart.hpp"
 #include "core/files/csv.hpp"
 #include "core/files/files.hpp"
+#include "core/vector/angle.hpp"
 #include "post/dic/comparison/compare.hpp"
 #include "solver/result/chart_file.hpp"
 
@@ -16,14 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 // JSON has no "not a number".
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 Json angle(double radians) {
-  return number(radians * degrees);
+  return number(radians * degrees_per_radian);
 }
 std::string cell(double value) {
   return csv_number(value, 7);
@@ -122,8 +121,9 @@ std::string stages_csv(const Comparison& c) {
     text += fmt::format("{},{},{},{},{}", k + 1, cell(stage.travel), cell(stage.simulated_force),
                         stage.measured_force ? cell(*stage.measured_force) : "", stage.all.points);
     const auto columns = [&](const FieldStatistics& s) {
-      for (const double value : {s.measured * degrees, s.levelled * degrees, s.raw * degrees, s.mean * degrees,
-                                 s.rms * degrees, s.noise * degrees, s.within})
+      for (const double value :
+           {s.measured * degrees_per_radian, s.levelled * degrees_per_radian, s.raw * degrees_per_radian,
+            s.mean * degrees_per_radian, s.rms * degrees_per_radian, s.noise * degrees_per_radian, s.within})
         text += fmt::format(",{}", cell(value));
     };
     columns(stage.all);
@@ -139,8 +139,8 @@ std::string lines_csv(const Comparison& c) {
     for (const LineProfile& line : c.stage[k].line)
       for (std::size_t i = 0; i < line.distance.size(); ++i)
         text += fmt::format("{},{},{},{},{},{},{},{}\n", k + 1, csv_field(line.name), cell(line.distance[i]),
-                            cell(line.place[i][0]), cell(line.place[i][1]), cell(line.measured[i] * degrees),
-                            cell(line.levelled[i] * degrees), cell(line.raw[i] * degrees));
+                            cell(line.place[i][0]), cell(line.place[i][1]), cell(line.measured[i] * degrees_per_radian),
+                            cell(line.levelled[i] * degrees_per_radian), cell(line.raw[i] * degrees_per_radian));
   return text;
 }
 
@@ -170,9 +170,9 @@ Chart angle_chart(const Comparison& c) {
         .label = fmt::format("{} levelled", name), .mark = ChartMark::line, .colour = static_cast<int>(z)};
     for (const ComparedStage& stage : c.stage) {
       measured.x.push_back(stage.travel);
-      measured.y.push_back(of(stage).measured * degrees);
+      measured.y.push_back(of(stage).measured * degrees_per_radian);
       levelled.x.push_back(stage.travel);
-      levelled.y.push_back(of(stage).levelled * degrees);
+      levelled.y.push_back(of(stage).levelled * degrees_per_radian);
     }
     chart.series.push_back(std::move(levelled));
     chart.series.push_back(std::move(measured));
@@ -192,8 +192,9 @@ Chart load_chart(const Comparison& c) {
 
 std::string statistics_row(const FieldStatistics& s) {
   return fmt::format("{:>10} {:>7} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>7.2f} {:>7.2f} {:>9.2f} {:>7.0f} {:>7.3f}\n",
-                     s.name, s.points, s.measured * degrees, s.levelled * degrees, s.raw * degrees, s.mean * degrees,
-                     s.rms * degrees, s.noise * degrees, s.greatest * degrees, 100.0 * s.within, s.correlation);
+                     s.name, s.points, s.measured * degrees_per_radian, s.levelled * degrees_per_radian,
+                     s.raw * degrees_per_radian, s.mean * degrees_per_radian, s.rms * degrees_per_radian,
+                     s.noise * degrees_per_radian, s.greatest * degrees_per_radian, 100.0 * s.within, s.correlation);
 }
 
 }  // namespace
@@ -202,7 +203,7 @@ std::string verdict_table(const Comparison& c) {
   std::string text = fmt::format("measurement against simulation {}\n\n", c.result.string());
   text += fmt::format("registration  {}\n", c.placement.method);
   text += fmt::format("              turned {:.3f} deg, shifted ({:.3f}, {:.3f}) mm onto the blank\n",
-                      c.placement.reference.angle * degrees, c.placement.reference.shift[0],
+                      c.placement.reference.angle * degrees_per_radian, c.placement.reference.shift[0],
                       c.placement.reference.shift[1]);
   if (c.placement.used > 0)
     text += fmt::format("              residual {:.4f} mm rms; {} used, {} rejected as outliers, {} off the fabric\n",
@@ -229,8 +230,9 @@ std::string verdict_table(const Comparison& c) {
                                  ? fmt::format("{:.3f}", *s.measured_force / s.simulated_force)
                                  : "";
     text += fmt::format("{:>10} {:>9.3f} {:>9.2f} {:>9.2f} {:>9.2f} {:>7.2f} {:>7.2f} {:>7.3f} {:>10}  {}\n", k + 1,
-                        s.travel, s.all.measured * degrees, s.all.levelled * degrees, s.all.mean * degrees,
-                        s.all.rms * degrees, s.all.noise * degrees, s.all.correlation, load, s.verdict.words);
+                        s.travel, s.all.measured * degrees_per_radian, s.all.levelled * degrees_per_radian,
+                        s.all.mean * degrees_per_radian, s.all.rms * degrees_per_radian,
+                        s.all.noise * degrees_per_radian, s.all.correlation, load, s.verdict.words);
   }
   text += fmt::format("\nlast stage, {} ({} points, {} rows without values, {} failed correlations)\n", last.label,
                       last.points, last.missing, last.failed);

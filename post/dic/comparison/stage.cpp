@@ -7,13 +7,12 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/missing.hpp"
 #include "post/dic/virtual/facet.hpp"
 #include "post/dic/virtual/point_bins.hpp"
 
 namespace weaveform::dic {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Vec2> plane_points(const std::vector<Vec3>& points) {
   std::vector<Vec2> plane;
@@ -135,19 +134,19 @@ StageFields compare_stage(const MeasuredStage& stage, const RigidMotion& current
     fields.levelled_displacement[i] = points->facets.value(i, state.displacement);
   }
   for (auto* angle : {&fields.measured, &fields.levelled, &fields.raw, &fields.difference, &fields.uncertainty})
-    angle->assign(count, none);
+    angle->assign(count, missing);
   for (std::size_t i = 0; i < count; ++i)
     if (points->cell[i] >= 0) fields.raw[i] = state.shear_angle[static_cast<std::size_t>(points->cell[i])];
 
   const YarnDirections yarns = yarn_directions(simulation.scene().blank);
   const bool gradients = !stage.gradient.empty();
-  fields.measured_displacement =
-      gradients ? std::vector<Vec3>(count, Vec3{none, none, none}) : placed_displacements(stage, *points, current);
+  fields.measured_displacement = gradients ? std::vector<Vec3>(count, Vec3{missing, missing, missing})
+                                           : placed_displacements(stage, *points, current);
   fields.components = std::any_of(stage.displacement_field.begin(), stage.displacement_field.end(),
                                   [](const Vec3& u) { return u[2] != 0.0 && std::isfinite(u[2]); })
                           ? 3
                           : 2;
-  fields.displacement_uncertainty = none;
+  fields.displacement_uncertainty = missing;
   if (!gradients) {
     fields.fit.resize(count);
     fields.estimated = !instrument.uncertainty;
@@ -198,9 +197,9 @@ double FieldAt::operator()(const Vec2& place, const std::vector<double>& field) 
     quadrant[(row[1] < 0.0 ? 1U : 0U) + (row[2] < 0.0 ? 2U : 0U)] = true;
     ++count;
   });
-  if (count < 3 || std::count(quadrant.begin(), quadrant.end(), true) < 3) return none;
+  if (count < 3 || std::count(quadrant.begin(), quadrant.end(), true) < 3) return missing;
   const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
-  if (solver.info() != Eigen::Success || !(solver.rcond() > 1e-9)) return none;
+  if (solver.info() != Eigen::Success || !(solver.rcond() > 1e-9)) return missing;
   return solver.solve(right)[0];
 }
 
@@ -231,7 +230,7 @@ void average_mirror_images(FieldSymmetry symmetry, const BlankSpec& blank, const
   const auto& point = fields.points->point;
   const FieldAt at(point, instrument.step);
   const auto averaged = [&](const std::vector<double>& field, std::vector<int>* counts) {
-    std::vector<double> mean(field.size(), none);
+    std::vector<double> mean(field.size(), missing);
     for (std::size_t i = 0; i < field.size(); ++i) {
       if (!std::isfinite(field[i])) continue;
       double sum = 0.0;

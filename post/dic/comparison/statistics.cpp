@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "core/missing.hpp"
+#include "core/vector/angle.hpp"
 #include "post/measure/zones.hpp"
 
 namespace weaveform::dic {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 // Linear between the sorted values (the median of an even number is the mean of the middle two).
 double percentile_of(const std::vector<double>& sorted, double percent) {
@@ -27,7 +25,7 @@ double percentile_of(const std::vector<double>& sorted, double percent) {
 //   mean = sum_j s_j . u_j,  s_j = (1/n) sum_i sensitivity_i (row of point j in the fit of window i),
 // so u(mean)^2 = u^2 sum_j |s_j|^2, with all that overlapping windows have in common.
 double uncertainty_of_mean(const StageFields& fields, const std::vector<int>& counted, const YarnDirections& yarns) {
-  if (fields.fit.empty() || counted.empty()) return none;
+  if (fields.fit.empty() || counted.empty()) return missing;
   const PointSet& points = *fields.points;
   std::vector<Vec3> weight(points.point.size(), Vec3{0.0, 0.0, 0.0});
   for (const int i : counted) {
@@ -81,9 +79,9 @@ FieldStatistics field_statistics(const std::string& name, const StageFields& fie
     if (std::isfinite(fields.difference[i]) && std::isfinite(fields.raw[i])) counted.push_back(i);
   s.points = static_cast<int>(counted.size());
   if (counted.empty()) {
-    s.measured = s.levelled = s.raw = s.mean = s.rms = s.sd = s.greatest = s.noise = s.mean_noise = s.within = none;
-    s.correlation = s.slope = none;
-    s.percentile.fill(none);
+    s.measured = s.levelled = s.raw = s.mean = s.rms = s.sd = s.greatest = s.noise = s.mean_noise = s.within = missing;
+    s.correlation = s.slope = missing;
+    s.percentile.fill(missing);
     return s;
   }
   const auto n = static_cast<double>(counted.size());
@@ -116,7 +114,7 @@ FieldStatistics field_statistics(const std::string& name, const StageFields& fie
   s.rms = std::sqrt(s.rms);
   s.sd = std::sqrt(s.sd);
   s.noise = std::sqrt(s.noise);
-  if (!known) s.within = none;
+  if (!known) s.within = missing;
   s.correlation = product / std::sqrt(measured_square * levelled_square);
   s.slope = product / levelled_square;
   std::sort(difference.begin(), difference.end());
@@ -132,7 +130,7 @@ Verdict judge(const FieldStatistics& all, const std::vector<FieldStatistics>& zo
   for (const FieldStatistics& zone : zones)
     if (zone.points > 0 && std::abs(zone.mean) > 4.0 * zone.mean_noise)
       return {false, fmt::format("differs: zone {} by {:+.2f} deg, {:.1f} times its uncertainty", zone.name,
-                                 zone.mean * degrees, std::abs(zone.mean) / zone.mean_noise)};
+                                 zone.mean * degrees_per_radian, std::abs(zone.mean) / zone.mean_noise)};
   return {true, "agrees within the noise"};
 }
 

@@ -62,11 +62,6 @@ std::optional<double> signal_of(const std::vector<HeaderValue>& values, const st
   return std::nullopt;
 }
 
-int column_of(const PointTable& table, const std::string& name) {
-  const auto column = find_column(table.heading, name);
-  return column ? static_cast<int>(*column) : -1;
-}
-
 }  // namespace
 
 bool names_aramis(const std::vector<std::string>& heading) {

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/files/text_words.hpp"
 
 namespace weaveform::dic {
 namespace {
@@ -19,15 +20,10 @@ const std::map<std::string, double> millimetres = {
     {"\xB5m", 1e-3}, {"in", 25.4}, {"inch", 25.4}, {"\"", 25.4}, {"micron", 1e-3},
 };
 
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 }  // namespace
 
 bool is_pixel(const std::string& unit) {
-  const std::string word = lower_case(unit);
+  const std::string word = lower(unit);
   return word == "px" || word == "pixel" || word == "pixels" || word == "pix";
 }
 
@@ -44,7 +40,7 @@ std::vector<std::string> quality_columns(const std::vector<std::string>& heading
                                          const std::vector<std::string>& known) {
   std::vector<std::string> found;
   for (const std::string& cell : heading) {
-    const std::string name = column_name(cell).name, word = lower_case(name);
+    const std::string name = column_name(cell).name, word = lower(name);
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     constexpr std::array<const char*, 10> words = {"corr", "ncc",   "quality", "valid", "status",
                                                    "flag", "match", "conver",  "error", "residu"};

@@ -24,11 +24,6 @@ bool has_displacements(const std::vector<std::string>& heading, const MatchidNam
          (has_columns(heading, {n.x_pixel, n.y_pixel}) || (n.unit[0] == '\0' && has_columns(heading, {n.x, n.y})));
 }
 
-int index_of(const PointTable& table, const char* name) {
-  const auto column = find_column(table.heading, name);
-  return column ? static_cast<int>(*column) : -1;
-}
-
 }  // namespace
 
 bool names_matchid(const std::vector<std::string>& heading) {
@@ -43,19 +38,19 @@ MeasuredStage read_matchid(const PointTable& table, const MeasurementSpec& spec)
                                             [&](const MatchidNames& n) { return has_displacements(table.heading, n); });
   const bool lengths = has_columns(table.heading, {names.x, names.y});
   PointColumns columns;
-  columns.x = index_of(table, lengths ? names.x : names.x_pixel);
-  columns.y = index_of(table, lengths ? names.y : names.y_pixel);
-  columns.u = index_of(table, names.u);
-  columns.v = index_of(table, names.v);
-  if (lengths) columns.z = index_of(table, names.z);
-  columns.w = index_of(table, names.w);
+  columns.x = column_of(table, lengths ? names.x : names.x_pixel);
+  columns.y = column_of(table, lengths ? names.y : names.y_pixel);
+  columns.u = column_of(table, names.u);
+  columns.v = column_of(table, names.v);
+  if (lengths) columns.z = column_of(table, names.z);
+  columns.w = column_of(table, names.w);
   std::vector<std::size_t> same_unit;
   for (const int column : {columns.x, columns.y, columns.z, columns.u, columns.v, columns.w})
     if (column >= 0) same_unit.push_back(static_cast<std::size_t>(column));
   const bool bare = column_name(table.heading[same_unit.front()]).unit.empty();
   const double factor = bare && !lengths ? length_factor("px", spec, table.file, names.x_pixel, stage.questions)
                                          : common_length_factor(table, same_unit, spec, stage.questions);
-  const int pixel = index_of(table, names.y_pixel);
+  const int pixel = column_of(table, names.y_pixel);
   if (pixel >= 0) columns.flags.push_back(pixel);
   PointRows rows = read_points(table, columns, factor);
   const auto told = !lengths     ? std::optional(false)

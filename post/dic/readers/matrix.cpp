@@ -9,6 +9,7 @@
 #include "core/files/csv.hpp"
 #include "core/files/files.hpp"
 #include "core/log/plain_text.hpp"
+#include "core/missing.hpp"
 #include "post/dic/readers/matrix_files.hpp"
 #include "post/dic/readers/readers.hpp"
 
@@ -16,11 +17,10 @@ namespace weaveform::dic {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t sampled_lines = 20;  // looked at to tell a matrix from a table
 constexpr std::size_t least_columns = 3;   // fewer are a list
 constexpr double suspicious_zeros = 0.01;  // share of points that are exactly zero in every component
-constexpr std::size_t complaints_shown = 5;
+constexpr std::size_t bad_rows_shown = 5;
 
 struct Matrix {
   std::string file;
@@ -61,7 +61,7 @@ Matrix read_matrix_file(const fs::path& file, const MeasurementSpec& spec) {
   if (lines.empty()) throw InputError(fmt::format("{}: is empty; export the matrix anew", matrix.file));
   const char delimiter = delimiter_of(lines.front(), spec);
   std::vector<std::string> complaints;
-  for (std::size_t r = 0; r < lines.size() && complaints.size() < complaints_shown; ++r) {
+  for (std::size_t r = 0; r < lines.size() && complaints.size() < bad_rows_shown; ++r) {
     const auto cells = cells_of(lines[r], delimiter);
     if (r == 0) matrix.columns = cells.size();
     if (cells.size() != matrix.columns)
@@ -71,7 +71,7 @@ Matrix read_matrix_file(const fs::path& file, const MeasurementSpec& spec) {
                       matrix.file, r + 1, cells.size(), matrix.columns));
     for (const std::string& cell : cells) {
       const double number = number_of(cell);
-      matrix.value.push_back(std::isfinite(number) ? number : none);
+      matrix.value.push_back(std::isfinite(number) ? number : missing);
       if (!std::isfinite(number)) matrix.words.insert(cell);
     }
   }
@@ -135,7 +135,7 @@ void mark_zeros(const Matrix& u, const MeasurementSpec& spec, PointRows& rows, M
                                       u.file, zero.size(), rows.displacement.size()),
                           "measurement.grid_zeros", "missing"});
   if (spec.grid_zeros != GridZeros::missing) return;
-  for (const std::size_t i : zero) rows.displacement[i][0] = none;
+  for (const std::size_t i : zero) rows.displacement[i][0] = missing;
   stage.notes.push_back(fmt::format("{} points with displacements of exactly zero taken as missing", zero.size()));
 }
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "core/files/text_words.hpp"
+
 namespace weaveform::dic {
 namespace {
 
@@ -12,11 +14,6 @@ namespace fs = std::filesystem;
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
 }
 
 // 'u', 'v', 'w', 'x' or 'y' when the word is a component's name behind the words `before`; else '\0'.
@@ -80,15 +77,15 @@ private:
 
 std::optional<MatrixName> matrix_name(const fs::path& file) {
   const Stem stem = stem_of(file);
-  const std::string lower = lower_case(stem.text);
-  for (std::size_t end = lower.size(); end > 0;) {
-    if (!is_word(lower[end - 1])) {
+  const std::string small = lower(stem.text);
+  for (std::size_t end = small.size(); end > 0;) {
+    if (!is_word(small[end - 1])) {
       --end;
       continue;
     }
     std::size_t begin = end;
-    while (begin > 0 && is_word(lower[begin - 1])) --begin;
-    const char component = component_of(lower.substr(begin, end - begin), lower.substr(0, begin));
+    while (begin > 0 && is_word(small[begin - 1])) --begin;
+    const char component = component_of(small.substr(begin, end - begin), small.substr(0, begin));
     if (component != '\0') return MatrixName{stem.text.substr(0, begin), stem.text.substr(end), component, stem.unit};
     end = begin;
   }

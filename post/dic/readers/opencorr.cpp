@@ -10,11 +10,6 @@
 namespace weaveform::dic {
 namespace {
 
-int index_of(const PointTable& table, const char* name) {
-  const auto column = find_column(table.heading, name);
-  return column ? static_cast<int>(*column) : -1;
-}
-
 bool is_stereo(const std::vector<std::string>& heading) {
   return has_columns(heading, {"r1r2 ZNCC"}) || has_columns(heading, {"r1t1 ZNCC"}) ||
          has_columns(heading, {"ref_x", "ref_y"});
@@ -50,18 +45,18 @@ MeasuredStage read_opencorr(const PointTable& table, const MeasurementSpec& spec
                     "(saveTable2DS after the reconstruction of both states)",
                     table.file));
   PointColumns columns;
-  columns.x = index_of(table, stereo ? "ref_x" : "x");
-  columns.y = index_of(table, stereo ? "ref_y" : "y");
-  columns.u = index_of(table, "u");
-  columns.v = index_of(table, "v");
-  if (stereo) columns.z = index_of(table, "ref_z"), columns.w = index_of(table, "w");
+  columns.x = column_of(table, stereo ? "ref_x" : "x");
+  columns.y = column_of(table, stereo ? "ref_y" : "y");
+  columns.u = column_of(table, "u");
+  columns.v = column_of(table, "v");
+  if (stereo) columns.z = column_of(table, "ref_z"), columns.w = column_of(table, "w");
   std::vector<std::string> correlations;
   for (const char* name : {"ZNCC", "zncc", "r1r2 ZNCC", "r1t1 ZNCC", "r1t2 ZNCC"})
-    if (const int column = index_of(table, name); column >= 0) {
+    if (const int column = column_of(table, name); column >= 0) {
       correlations.emplace_back(name);
       columns.flags.push_back(column);
     }
-  if (stereo) columns.flags.push_back(index_of(table, "y"));
+  if (stereo) columns.flags.push_back(column_of(table, "y"));
   if (stereo && spec.length_unit == MeasuredUnit::px)
     throw InputError(
         fmt::format("{}: is an OpenCorr stereo table, whose u, v, w and ref_ columns are lengths, but "

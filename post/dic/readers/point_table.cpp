@@ -12,11 +12,12 @@
 #include "core/files/files.hpp"
 #include "core/keys/toml_document.hpp"
 #include "core/log/plain_text.hpp"
+#include "core/missing.hpp"
+#include "post/dic/readers/convention.hpp"
 
 namespace weaveform::dic {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int heading_lines = 2000;          // looked at for column names
 constexpr int sampled_rows = 200;            // looked at for the decimal sign
 constexpr std::size_t complaints_shown = 5;  // of one file; more of the same helps nobody
@@ -81,7 +82,12 @@ std::optional<char> delimiter_named(const std::string& name) {
 double number_of(std::string_view text) {
   text = csv_cell(text);
   const auto point = csv_number_in(text, false);
-  return point ? *point : csv_number_in(text, true).value_or(none);
+  return point ? *point : csv_number_in(text, true).value_or(missing);
+}
+
+int column_of(const PointTable& table, const std::string& name) {
+  const auto column = name.empty() ? std::nullopt : find_column(table.heading, name);
+  return column ? static_cast<int>(*column) : -1;
 }
 
 PointTable open_point_table(const std::filesystem::path& file, const TableHints& hints, const IsHeading& is_heading) {
@@ -130,9 +136,9 @@ std::vector<std::vector<double>> read_columns(const PointTable& table, const std
         for_csv_cells(lines.line(), table.delimiter, [&](std::size_t index, std::string_view cell) {
           filled_past_the_heading = filled_past_the_heading || (width > 0 && index >= width && !cell.empty());
           if (index >= wanted.size() || wanted[index] < 0) return;
-          double value = none;
+          double value = missing;
           if (const auto number = csv_number_in(cell, table.decimal_comma)) {
-            value = std::isfinite(*number) ? *number : none;
+            value = std::isfinite(*number) ? *number : missing;
           } else if (!says_missing(cell)) {
             complain(
                 fmt::format("'{}' is not a number with a decimal {}; correct the cell, or 'decimal' and 'delimiter' "

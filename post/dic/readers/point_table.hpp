@@ -40,6 +40,9 @@ struct TableHints {
 [[nodiscard]] PointTable open_point_table(const std::filesystem::path& file, const TableHints& hints,
                                           const IsHeading& is_heading);
 
+// Where the heading names it; -1 where it does not, and for an empty name.
+[[nodiscard]] int column_of(const PointTable& table, const std::string& name);
+
 // The numbers of the columns (0-based), column by column; not a number where a cell is empty or says that there is none
 // ("NaN", "n/a", "-", or what .NET writes for it in a user's language, ...). Throws InputError with file and line of
 // rows that have another number of cells than the heading, and of cells that are no numbers.

@@ -8,11 +8,6 @@
 namespace weaveform::dic {
 namespace {
 
-int index_of(const PointTable& table, const std::string& name) {
-  const auto column = find_column(table.heading, name);
-  return column ? static_cast<int>(*column) : -1;
-}
-
 // F in the frame with y up from that with y down: F' = S F S, S = diag(1, -1).
 std::array<double, 4> turned_up(const std::array<double, 4>& f) {
   return {f[0], -f[1], -f[2], f[3]};
@@ -20,10 +15,10 @@ std::array<double, 4> turned_up(const std::array<double, 4>& f) {
 
 MeasuredStage read_windows(const PointTable& table, double factor, bool down, MeasuredStage stage) {
   PointColumns columns;
-  columns.x = index_of(table, "window_x");
-  columns.y = index_of(table, "window_y");
+  columns.x = column_of(table, "window_x");
+  columns.y = column_of(table, "window_y");
   for (const char* name : {"def_grad_00", "def_grad_01", "def_grad_10", "def_grad_11"})
-    columns.flags.push_back(index_of(table, name));
+    columns.flags.push_back(column_of(table, name));
   PointRows rows = read_points(table, columns, factor);
   if (down) flip_y(rows);
   for (std::size_t i = 0; i < rows.position.size(); ++i) {
@@ -43,10 +38,10 @@ MeasuredStage read_windows(const PointTable& table, double factor, bool down, Me
 
 MeasuredStage read_subsets(const PointTable& table, double factor, bool down, MeasuredStage stage) {
   PointColumns columns;
-  columns.x = index_of(table, "subset_x");
-  columns.y = index_of(table, "subset_y");
-  columns.u = index_of(table, "displacement_u");
-  columns.v = index_of(table, "displacement_v");
+  columns.x = column_of(table, "subset_x");
+  columns.y = column_of(table, "subset_y");
+  columns.u = column_of(table, "displacement_u");
+  columns.v = column_of(table, "displacement_v");
   const auto converged = find_column(table.heading, "converged");
   if (converged) columns.flags.push_back(static_cast<int>(*converged));
   PointRows rows = read_points(table, columns, factor);
@@ -69,12 +64,12 @@ bool names_pyvale(const std::vector<std::string>& heading) {
 MeasuredStage read_pyvale(const PointTable& table, const MeasurementSpec& spec) {
   MeasuredStage stage;
   stage.label = std::filesystem::path(table.file).filename().string();
-  if (index_of(table, "def_grad_20") >= 0)
+  if (column_of(table, "def_grad_20") >= 0)
     throw InputError(
         fmt::format("{}: holds gradients of a surface in space (def_grad_20), whose frame the file does not "
                     "tell; compare pyvale's displacement file instead",
                     table.file));
-  const bool windows = index_of(table, "window_x") >= 0;
+  const bool windows = column_of(table, "window_x") >= 0;
   const double factor = length_factor("px", spec, table.file, windows ? "window_x" : "subset_x", stage.questions);
   const bool down = spec.y_axis != YAxis::up;
   stage.notes.push_back(fmt::format("pixels, y {}{}", down ? "down, turned up" : "up",

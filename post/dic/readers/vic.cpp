@@ -26,11 +26,6 @@ bool has(const std::vector<std::string>& heading, const VicColumns& kind) {
   return has_columns(heading, {kind.position[0], kind.position[1], kind.displacement[0], kind.displacement[1]});
 }
 
-int index_of(const PointTable& table, const char* name) {
-  const auto column = *name == '\0' ? std::nullopt : find_column(table.heading, name);
-  return column ? static_cast<int>(*column) : -1;
-}
-
 struct VicUnits {
   bool alone = false;    // x, y, u, v and nothing else: no column tells the program
   bool unknown = false;  // ... and the settings do not tell the unit either
@@ -100,16 +95,16 @@ MeasuredStage read_vic(const PointTable& table, const MeasurementSpec& spec) {
   const auto kind =
       std::find_if(kinds.begin(), kinds.end(), [&](const VicColumns& k) { return has(table.heading, k); });
   PointColumns columns;
-  columns.x = index_of(table, kind->position[0]);
-  columns.y = index_of(table, kind->position[1]);
-  columns.z = index_of(table, kind->position[2]);
-  columns.u = index_of(table, kind->displacement[0]);
-  columns.v = index_of(table, kind->displacement[1]);
-  columns.w = index_of(table, kind->displacement[2]);
+  columns.x = column_of(table, kind->position[0]);
+  columns.y = column_of(table, kind->position[1]);
+  columns.z = column_of(table, kind->position[2]);
+  columns.u = column_of(table, kind->displacement[0]);
+  columns.v = column_of(table, kind->displacement[1]);
+  columns.w = column_of(table, kind->displacement[2]);
   const VicUnits units = units_of(table, *kind, columns, spec, stage.questions);
   const auto sigma = find_column(table.heading, "sigma");
   if (sigma) columns.flags.push_back(static_cast<int>(*sigma));
-  const int y_pixel = kind->pixels ? -1 : index_of(table, "y");
+  const int y_pixel = kind->pixels ? -1 : column_of(table, "y");
   if (y_pixel >= 0) columns.flags.push_back(y_pixel);
   PointRows rows = read_points(table, columns, units.factor);
   const auto failed = sigma ? failed_rows(rows, y_pixel >= 0) : std::vector<bool>(rows.position.size(), false);

@@ -10,12 +10,12 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "post/dic/virtual/facet.hpp"
 
 namespace weaveform::dic {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180.0;
 constexpr std::size_t trial_points = 600, final_points = 20000;
 constexpr int trial_steps = 12, final_steps = 30;
 
@@ -210,7 +210,7 @@ double long_axis(const std::vector<Vec2>& points, const Vec2& centre) {
 }
 
 std::vector<double> starting_angles(const Cloud& cloud, const FlatMesh& flat, const RegistrationSpec& spec) {
-  if (spec.angle) return {-*spec.angle * radians};
+  if (spec.angle) return {-*spec.angle * degree};
   const auto box = flat.extent();
   const double blank_axis = box[2] - box[0] >= box[3] - box[1] ? 0.0 : 0.5 * std::numbers::pi;
   const double turn = blank_axis - long_axis(cloud.reference, cloud.centre);
@@ -264,7 +264,7 @@ Match best_trial(const Matcher& matcher, const Cloud& cloud, const FlatMesh& fla
     const bool as_good = other.deviation < 1.1 * best.deviation + 1e-6 * size;
     if (!as_good || same_place(best.reference, other.reference, cloud.centre, size)) continue;
     const auto degrees = [](const RigidMotion& motion) {
-      return -std::remainder(motion.angle, 2.0 * std::numbers::pi) / radians;
+      return -std::remainder(motion.angle, 2.0 * std::numbers::pi) / degree;
     };
     throw InputError(
         fmt::format("{}: the field fits the blank as well at {:.1f} deg as at {:.1f} deg: which way does "

@@ -4,15 +4,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "post/dic/registration/field_match.hpp"
 
 namespace weaveform::dic {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180.0;
 
 Placement by_marks(const RegistrationSpec& spec) {
   std::vector<Vec2> from, to;
@@ -69,7 +67,7 @@ Placement place(const MeasuredStage& stage, const Simulation& simulation, const 
   if (spec.method == RegistrationMethod::marks) {
     placement = by_marks(spec);
   } else if (spec.method == RegistrationMethod::axes) {
-    placement.reference = placement.current = by_axes(spec.origin, spec.angle.value_or(0.0) * radians);
+    placement.reference = placement.current = by_axes(spec.origin, spec.angle.value_or(0.0) * degree);
     placement.method = "specimen axes as given";
   } else {
     placement.method = "none: the measurement's frame is taken for the blank's";

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "post/dic/virtual/simulation.hpp"
 #include "post/dic/virtual/step_width.hpp"
 #include "post/measure/bias_extension.hpp"
@@ -14,7 +14,6 @@
 namespace weaveform::dic {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr int profile_points = 121, lines_along = 9;
 
 using Angle = std::function<double(const Vec2&)>;  // not a number off the fabric
@@ -143,7 +142,8 @@ std::string zone_border_table(const ZoneBorders& study) {
   std::string text = fmt::format(
       "Borders at {:.3g} mm of travel; shear angle {:.1f} deg in A, {:.1f} in B, {:.1f} in C. "
       "Widths from 10 to 90 % of the way, mm.\n\n",
-      study.travel, study.angle[0] * degrees, study.angle[1] * degrees, study.angle[2] * degrees);
+      study.travel, study.angle[0] * degrees_per_radian, study.angle[1] * degrees_per_radian,
+      study.angle[2] * degrees_per_radian);
   text += "| facet mm | step mm | window | a sharp border would seem | border A-B | border B-C |\n";
   text += "|---:|---:|---:|---:|---:|---:|\n";
   const auto cell = [](double width) {

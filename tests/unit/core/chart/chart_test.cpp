@@ -461,7 +461,7 @@ private:
   std::string before_;
 };
 
-std::string complaint_of(const std::function<void()>& act) {
+std::string chart_complaint(const std::function<void()>& act) {
   try {
     act();
   } catch (const FileError& error) {
@@ -472,19 +472,19 @@ std::string complaint_of(const std::function<void()>& act) {
 
 TEST(Gnuplot, MissingNamesThePackage) {
   const Path nowhere("/nowhere");
-  const std::string complaint = complaint_of([] { (void)to_svg(some_chart()); });
+  const std::string complaint = chart_complaint([] { (void)to_svg(some_chart()); });
   EXPECT_NE(complaint.find("gnuplot-nox"), std::string::npos) << complaint;
 }
 
 TEST(Gnuplot, FailingIsToldWithItsReason) {
-  const std::string complaint = complaint_of([] { (void)run_gnuplot("plot nonsense(1\n"); });
+  const std::string complaint = chart_complaint([] { (void)run_gnuplot("plot nonsense(1\n"); });
   EXPECT_NE(complaint.find("exit code 1"), std::string::npos) << complaint;
   EXPECT_NE(complaint.find("line 0"), std::string::npos) << complaint;
   const test::TemporaryFolder folder;
   test::write_text("#!/bin/sh\nkill -9 $$\n", folder.path() / "gnuplot");
   fs::permissions(folder.path() / "gnuplot", fs::perms::owner_all);
   const Path killed(folder.path().string());
-  const std::string signal = complaint_of([] { (void)to_svg(some_chart()); });
+  const std::string signal = chart_complaint([] { (void)to_svg(some_chart()); });
   EXPECT_NE(signal.find("signal 9"), std::string::npos) << signal;
 }
 

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 
 namespace weaveform {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;  // rad
 
 // A complete card with one changed or added line per test: `replace` is cut out, `by` put in its place.
 std::string card_text(const std::string& replace = "", const std::string& by = "") {
@@ -43,7 +41,7 @@ std::vector<std::string> complaints_of(const std::string& text) {
 }
 
 // The one complaint of a card with one mistake.
-std::string complaint_of(const std::string& replace, const std::string& by) {
+std::string card_complaint(const std::string& replace, const std::string& by) {
   const auto complaints = complaints_of(card_text(replace, by));
   return complaints.size() == 1 ? complaints[0] : std::to_string(complaints.size()) + " complaints";
 }
@@ -182,29 +180,30 @@ TEST(Card, TensionIsLimitedByWhatFibresBearUnlessTheCardSaysIt) {
 }
 
 TEST(CardComplaint, AYarnThatTearsWithinItsLawIsRefused) {
-  EXPECT_EQ(complaint_of("[shear]", "valid_to = 0.03\ntearing_strain = 0.02\n[shear]"),
+  EXPECT_EQ(card_complaint("[shear]", "valid_to = 0.03\ntearing_strain = 0.02\n[shear]"),
             "c.toml:9:18: the yarn tears at a strain of 0.02, below 0.03, to which its tension is meant to hold; raise "
             "'tearing_strain' or lower 'valid_to'");
 }
 
 TEST(CardComplaint, CompressionIsSaidOnceAndDoesNotSoften) {
-  EXPECT_EQ(complaint_of("interval = 4.92", "interval = 4.92\ncompression_modulus = 7\n" + compression),
+  EXPECT_EQ(card_complaint("interval = 4.92", "interval = 4.92\ncompression_modulus = 7\n" + compression),
             "c.toml:8:15: the yarn has both 'compression_modulus' and 'compression'; keep one");
-  const auto softening = complaint_of(
+  const auto softening = card_complaint(
       "interval = 4.92", "interval = 4.92\ncompression = [ { from = 0, to = 0.1, coefficients = [10, -200] } ]");
   EXPECT_TRUE(softening.starts_with("c.toml:7:15: compression tangent of the yarn turns negative, e in [0.05"))
       << softening;
 }
 
 TEST(CardComplaint, NamesPlaceAndNearestKey) {
-  EXPECT_EQ(complaint_of("interval = 4.92", "interval = 4.92\nlinear_modulos = 3"),
+  EXPECT_EQ(card_complaint("interval = 4.92", "interval = 4.92\nlinear_modulos = 3"),
             "c.toml:7:1: unknown key 'linear_modulos' in [yarn]; did you mean 'linear_modulus'?");
-  EXPECT_EQ(complaint_of("[shear]", "[yarn.wrap]\ninterval = 3\n[shear]"),
+  EXPECT_EQ(card_complaint("[shear]", "[yarn.wrap]\ninterval = 3\n[shear]"),
             "c.toml:8:7: unknown key 'wrap' in [yarn]; did you mean 'warp'?");
-  EXPECT_EQ(complaint_of("section = 1.25", "section = \"1.25\""),
+  EXPECT_EQ(card_complaint("section = 1.25", "section = \"1.25\""),
             "c.toml:5:11: 'section' is text; it must be a number or \"auto\" (mm^2)");
-  EXPECT_EQ(complaint_of("interval = 4.92", "interval = -4.92"), "c.toml:6:12: 'interval' is -4.92; it must be > 0 mm");
-  EXPECT_EQ(complaint_of("thickness = 0.5\n", ""),
+  EXPECT_EQ(card_complaint("interval = 4.92", "interval = -4.92"),
+            "c.toml:6:12: 'interval' is -4.92; it must be > 0 mm");
+  EXPECT_EQ(card_complaint("thickness = 0.5\n", ""),
             "c.toml:1:1: the card lacks the required key 'thickness'; add thickness = a number (mm)");
 }
 
@@ -220,7 +219,7 @@ TEST(CardComplaint, AllMistakesAtOnceInTheOrderOfTheFile) {
 }
 
 TEST(CardComplaint, TensionThatSoftensIsRefused) {
-  const auto complaint = complaint_of("coefficients = [8000]", "coefficients = [8000, -380000]");
+  const auto complaint = card_complaint("coefficients = [8000]", "coefficients = [8000, -380000]");
   EXPECT_NE(complaint.find("tension tangent of the yarn turns negative, e in [0.02105, 0.022]"), std::string::npos)
       << complaint;
   // Beyond a tenth past its last finite strain the law claims nothing.
@@ -230,7 +229,7 @@ TEST(CardComplaint, TensionThatSoftensIsRefused) {
 TEST(CardComplaint, ShearThatSoftensWithinItsLimitIsRefused) {
   // 0.3 - g turns negative at g = 0.3, that is asin(tanh 0.3) = 16.9 deg.
   const std::string softening = "coefficients = [0.3, -1]";
-  const auto complaint = complaint_of("coefficients = [0.3]", softening);
+  const auto complaint = card_complaint("coefficients = [0.3]", softening);
   EXPECT_NE(complaint.find("strain 0.3 to 1.317 (16.9 to 60.0 deg)"), std::string::npos) << complaint;
   EXPECT_TRUE(complaints_of(card_text("coefficients = [0.3]", softening) + "valid_to = 16\n").empty());
 }
@@ -245,19 +244,19 @@ TEST(CardComplaint, ShearIsJudgedTogetherWithItsStart) {
 }
 
 TEST(CardComplaint, PiecesMustAdjoin) {
-  EXPECT_EQ(complaint_of("from = 0.02", "from = 0.03"),
+  EXPECT_EQ(card_complaint("from = 0.02", "from = 0.03"),
             "c.toml:7:69: the piece begins at 0.03; it must begin at 0.02, where the piece before ends");
-  EXPECT_EQ(complaint_of("from = 0, to = 0.02", "from = 0.01, to = 0.02"),
+  EXPECT_EQ(card_complaint("from = 0, to = 0.02", "from = 0.01, to = 0.02"),
             "c.toml:7:13: the piece begins at 0.01; it must begin at 0, where strain begins");
-  EXPECT_EQ(complaint_of("from = 0, to = 0.02", "from = 0"),
+  EXPECT_EQ(card_complaint("from = 0, to = 0.02", "from = 0"),
             "c.toml:7:58: the piece before has no 'to'; only the last piece may leave it out");
 }
 
 TEST(CardComplaint, SectionMustComeFromSomewhere) {
   const std::string lacks =
       " the yarn lacks 'section' (mm^2); add it, or fibre_volume_fraction, fibre_density and matrix_density for Eq. 11";
-  EXPECT_EQ(complaint_of("section = 1.25\n", ""), "c.toml:3:1:" + lacks);
-  EXPECT_EQ(complaint_of("section = 1.25", "section = \"auto\"\nfibre_density = 2.55"), "c.toml:3:1:" + lacks);
+  EXPECT_EQ(card_complaint("section = 1.25\n", ""), "c.toml:3:1:" + lacks);
+  EXPECT_EQ(card_complaint("section = 1.25", "section = \"auto\"\nfibre_density = 2.55"), "c.toml:3:1:" + lacks);
 }
 
 TEST(CardComplaint, MissingTablesAreNamed) {

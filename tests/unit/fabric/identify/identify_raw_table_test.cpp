@@ -15,7 +15,7 @@ RawTable table_of(const std::string& text, const TableFormat& format = {}) {
   return read_raw_table(text, "t.csv", format);
 }
 
-std::string complaint_of(const std::string& text, const TableFormat& format = {}) {
+std::string table_complaint(const std::string& text, const TableFormat& format = {}) {
   try {
     const RawTable table = table_of(text, format);
     for (std::size_t i = 0; i < table.cells.front().size(); ++i) (void)numbers_of(table, i);
@@ -56,16 +56,16 @@ TEST(RawTable, MissingCellsAreNotANumber) {
 }
 
 TEST(RawTable, ComplainsWithFileAndLine) {
-  EXPECT_NE(complaint_of("x;y\n1;2\n3,4\n5;6\n").find("t.csv:3: the row has 1 cell(s)"), std::string::npos);
-  EXPECT_NE(complaint_of("x,y\n1,2\n3,4a\n").find("t.csv:3: '4a' is not a number"), std::string::npos);
-  EXPECT_NE(complaint_of("x;y\n1.234,5;2\n1;2\n").find("t.csv:2: '1.234,5'"), std::string::npos);
-  EXPECT_NE(complaint_of("x,y\n0,5,1,5\n1,5,2,5\n").find("twice as many cells"), std::string::npos);
-  EXPECT_NE(complaint_of("x,y\n").find("no rows of numbers"), std::string::npos);
-  EXPECT_NE(complaint_of("").find("has no rows"), std::string::npos);
-  EXPECT_NE(
-      complaint_of("x,y\n1,2\n", {.delimiter = Delimiter::comma, .decimal = DecimalSign::comma}).find("cannot be both"),
-      std::string::npos);
-  EXPECT_NE(complaint_of(std::string("PK\0\1", 4)).find("not plain text"), std::string::npos);
+  EXPECT_NE(table_complaint("x;y\n1;2\n3,4\n5;6\n").find("t.csv:3: the row has 1 cell(s)"), std::string::npos);
+  EXPECT_NE(table_complaint("x,y\n1,2\n3,4a\n").find("t.csv:3: '4a' is not a number"), std::string::npos);
+  EXPECT_NE(table_complaint("x;y\n1.234,5;2\n1;2\n").find("t.csv:2: '1.234,5'"), std::string::npos);
+  EXPECT_NE(table_complaint("x,y\n0,5,1,5\n1,5,2,5\n").find("twice as many cells"), std::string::npos);
+  EXPECT_NE(table_complaint("x,y\n").find("no rows of numbers"), std::string::npos);
+  EXPECT_NE(table_complaint("").find("has no rows"), std::string::npos);
+  EXPECT_NE(table_complaint("x,y\n1,2\n", {.delimiter = Delimiter::comma, .decimal = DecimalSign::comma})
+                .find("cannot be both"),
+            std::string::npos);
+  EXPECT_NE(table_complaint(std::string("PK\0\1", 4)).find("not plain text"), std::string::npos);
 }
 
 TEST(RawTable, AWrongColumnNameMeetsTheNearestOne) {
@@ -157,7 +157,7 @@ TEST(RawTable, ThousandsAndQuotedDecimalCommasAreRead) {
   EXPECT_EQ(numbers_of(thousands, 1), y);
   const RawTable commas = table_of("x,y\n\"1,0\",\"999,5\"\n\"2,0\",\"1000,25\"\n\"3,0\",\"1234567,5\"\n");
   EXPECT_EQ(numbers_of(commas, 1), y);
-  EXPECT_NE(complaint_of("x,y\n1,\"1,000\"\n2,\"2,000\"\n").find("'1,000' is not a number"), std::string::npos)
+  EXPECT_NE(table_complaint("x,y\n1,\"1,000\"\n2,\"2,000\"\n").find("'1,000' is not a number"), std::string::npos)
       << "one thousand, or one?";
 }
 
@@ -168,12 +168,12 @@ TEST(RawTable, StatisticsBelowTheRowsAreNoRows) {
 }
 
 TEST(RawTable, ASecondTableIsRefusedWithItsLine) {
-  EXPECT_NE(complaint_of("x,y\n1,2\n3,4\n5,6\nspecimen two,\nx,y\n1,2\n3,4\n5,6\n").find("t.csv:7: after 3 rows"),
+  EXPECT_NE(table_complaint("x,y\n1,2\n3,4\n5,6\nspecimen two,\nx,y\n1,2\n3,4\n5,6\n").find("t.csv:7: after 3 rows"),
             std::string::npos);
 }
 
 TEST(RawTable, AFirstRowWithAWordInItIsNoPreamble) {
-  EXPECT_NE(complaint_of("x,y\n1,four\n3,4\n5,6\n").find("t.csv:2: 'four' is not a number"), std::string::npos);
+  EXPECT_NE(table_complaint("x,y\n1,four\n3,4\n5,6\n").find("t.csv:2: 'four' is not a number"), std::string::npos);
 }
 
 TEST(UnitInHeading, IsReadInTheUsualSpellings) {

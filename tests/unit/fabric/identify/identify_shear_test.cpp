@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "fabric/identify/constrained_least_squares.hpp"
 #include "fabric/identify/shear_fit.hpp"
 #include "fabric/identify/statistics.hpp"
@@ -14,8 +14,6 @@
 
 namespace weaveform::identify {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;  // rad
 
 std::vector<ShearObservation> observations_of(const ShearCurve& truth, double to_deg) {
   std::vector<ShearObservation> all;

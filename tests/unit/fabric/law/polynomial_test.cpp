@@ -9,7 +9,7 @@
 namespace weaveform {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // (x - 1)(x + 2)(x - 0.25)
 Polynomial three_roots() {
@@ -17,7 +17,7 @@ Polynomial three_roots() {
 }
 
 TEST(Polynomial, SignChangesAreTheRootsOfItsFactors) {
-  const auto roots = sign_changes(three_roots(), -infinity, infinity);
+  const auto roots = sign_changes(three_roots(), -infinity, unbounded);
   ASSERT_EQ(roots.size(), 3U);
   // Coefficients and roots are a few units large: some units of the last place.
   EXPECT_NEAR(roots[0], -2.0, 1e-14);
@@ -46,9 +46,9 @@ TEST(Polynomial, RangeFindsTurningPointsInside) {
 }
 
 TEST(Polynomial, RangeIsUnboundedWhereThePolynomialIs) {
-  EXPECT_EQ(range_of({1, 0, 2}, 0.0, infinity)[1], infinity);
+  EXPECT_EQ(range_of({1, 0, 2}, 0.0, unbounded)[1], unbounded);
   EXPECT_EQ(range_of({1, 0, 0, 2}, -infinity, 0.0)[0], -infinity);
-  EXPECT_EQ(range_of({3}, -infinity, infinity)[1], 3.0);
+  EXPECT_EQ(range_of({3}, -infinity, unbounded)[1], 3.0);
 }
 
 TEST(Polynomial, NegativeIntervalsLieBetweenRoots) {

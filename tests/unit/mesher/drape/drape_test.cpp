@@ -50,7 +50,7 @@ struct Draped {
         drape(drape_blank(scene, mesh, make_tools(scene, mesh))) {}
 };
 
-std::string complaint(const std::string& text, const std::vector<std::string>& overrides = {}) {
+std::string drape_complaint(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     const Draped draped(text, overrides);
   } catch (const InputError& error) {
@@ -423,23 +423,25 @@ TEST(Drape, TightRadiiAndSharpEdgesAreReportedByPlace) {
 }
 
 TEST(Drape, WrongInputIsNamed) {
-  expect_in("there is no [tools.dom]; did you mean 'dome'?", complaint(blank + dome + "[drape]\ntool = \"dom\"\n"));
-  expect_in("lacks the required key 'tool'", complaint(blank + dome + "[drape]\n"));
+  expect_in("there is no [tools.dom]; did you mean 'dome'?",
+            drape_complaint(blank + dome + "[drape]\ntool = \"dom\"\n"));
+  expect_in("lacks the required key 'tool'", drape_complaint(blank + dome + "[drape]\n"));
   expect_in("seed (0, 0, 12) mm is 11.75 mm off the surface of tool 'dome'; the nearest point of it is (0, 0, 0.25) mm",
-            complaint(blank + dome + drape_table + "seed = [0, 0, 12]\n"));
-  expect_in("the blank misses tool 'dome'", complaint(blank + dome + drape_table, {"blank.position=[100,0,0]"}));
+            drape_complaint(blank + dome + drape_table + "seed = [0, 0, 12]\n"));
+  expect_in("the blank misses tool 'dome'", drape_complaint(blank + dome + drape_table, {"blank.position=[100,0,0]"}));
   expect_in("far before tool 'dome' it is inside it already",
-            complaint(blank + dome + drape_table, {"drape.projection=[0,0,1]"}));
+            drape_complaint(blank + dome + drape_table, {"drape.projection=[0,0,1]"}));
   expect_in("is across the surface at the seed",
-            complaint(blank + dome + drape_table, {"drape.warp_direction=[0,0,1]"}));
-  expect_in("'projection' is zero", complaint(blank + dome + drape_table, {"drape.projection=[0,0,0]"}));
+            drape_complaint(blank + dome + drape_table, {"drape.warp_direction=[0,0,1]"}));
+  expect_in("'projection' is zero", drape_complaint(blank + dome + drape_table, {"drape.projection=[0,0,0]"}));
   expect_in("[drape] has both 'seed' and 'projection'",
-            complaint(blank + dome + drape_table + "seed = [0,0,0]\nprojection = [1,0,0]\n"));
+            drape_complaint(blank + dome + drape_table + "seed = [0,0,0]\nprojection = [1,0,0]\n"));
   expect_in("passes the seed (0, 0, 0.25) mm at a distance of 20",
-            complaint(blank + dome + drape_table + "seed = [0,0,0]\nwarp_curve = [[-9, 20, 0], [9, 20, 0]]\n"));
-  expect_in("'warp_curve' is two points", complaint(blank + dome + drape_table + "warp_curve = [[1, 2]]\n"));
-  expect_in("no crossing of the blank lies near", complaint(blank + dome + drape_table + "anchor = [200, 0]\n"));
-  expect_in("shear frame cannot start draped", complaint(dome + drape_table + "[frame]\n[blank]\nsize=[100,100]\n"));
+            drape_complaint(blank + dome + drape_table + "seed = [0,0,0]\nwarp_curve = [[-9, 20, 0], [9, 20, 0]]\n"));
+  expect_in("'warp_curve' is two points", drape_complaint(blank + dome + drape_table + "warp_curve = [[1, 2]]\n"));
+  expect_in("no crossing of the blank lies near", drape_complaint(blank + dome + drape_table + "anchor = [200, 0]\n"));
+  expect_in("shear frame cannot start draped",
+            drape_complaint(dome + drape_table + "[frame]\n[blank]\nsize=[100,100]\n"));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ using test::deck_real;
 using test::deck_whole;
 using test::DeckBlock;
 
-struct Case : test::ExportedExample {
+struct DeckCase : test::ExportedExample {
   using ExportedExample::ExportedExample;
   [[nodiscard]] std::vector<DeckBlock> radioss(Materials materials = Materials::built_in) const {
     return deck_blocks(written(MeshFormat::openradioss, {.materials = materials}).text, '/', '#');
@@ -34,13 +34,13 @@ struct Case : test::ExportedExample {
   }
 };
 
-Case frame() {
-  return Case({"blank.coarsening=6"}, "shear_frame_pw");
+DeckCase frame() {
+  return DeckCase({"blank.coarsening=6"}, "shear_frame_pw");
 }
-Case hemisphere(const std::vector<std::string>& more = {}) {
+DeckCase hemisphere(const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {"blank.coarsening=8"};
   overrides.insert(overrides.end(), more.begin(), more.end());
-  return Case(overrides, "hemisphere_pw");
+  return DeckCase(overrides, "hemisphere_pw");
 }
 
 std::set<long> ids(const std::vector<std::string>& lines, std::size_t first) {
@@ -74,12 +74,12 @@ RadiossNodes nodes_of(const std::vector<DeckBlock>& blocks) {
 // Errors 535 (a node of a constraint without mass) and 312 (a node in a constraint and under a condition) of the
 // starter.
 TEST(ExportDecks, NodesOfConstraintsHaveMassAndNoConditions) {
-  std::vector<Case> cases;
+  std::vector<DeckCase> cases;
   cases.push_back(frame());
-  cases.push_back(Case({"blank.coarsening=4", "blank.fit=none"}));
-  cases.push_back(Case({"blank.coarsening=1", "blank.fit=none"}));  // free yarn ends tied to crossings in the grips
+  cases.push_back(DeckCase({"blank.coarsening=4", "blank.fit=none"}));
+  cases.push_back(DeckCase({"blank.coarsening=1", "blank.fit=none"}));  // free yarn ends tied to crossings in the grips
   cases.push_back(hemisphere());
-  for (const Case& model : cases) {
+  for (const DeckCase& model : cases) {
     const RadiossNodes nodes = nodes_of(model.radioss());
     EXPECT_EQ(nodes.constrained.empty(), model.mesh.tie.empty());
     for (const long node : nodes.constrained) {
@@ -90,7 +90,7 @@ TEST(ExportDecks, NodesOfConstraintsHaveMassAndNoConditions) {
 }
 
 TEST(ExportDecks, TheShearFrameIsLoadedInEveryDeck) {
-  const Case model = frame();
+  const DeckCase model = frame();
   const auto& corner = model.mesh.frame.corner;
   std::set<long> corners;
   for (const int n : corner) corners.insert(n + 1);
@@ -143,7 +143,7 @@ TEST(ExportDecks, TheShearFrameIsLoadedInEveryDeck) {
 }
 
 TEST(ExportDecks, NoRoutineOfTheUsersIsNeededUnlessAskedFor) {
-  const Case model({"blank.coarsening=4"});
+  const DeckCase model({"blank.coarsening=4"});
   for (const auto materials : {Materials::built_in, Materials::user}) {
     const auto asks = [&](const std::vector<DeckBlock>& blocks, const std::string& word) {
       return std::any_of(blocks.begin(), blocks.end(), [&](const DeckBlock& block) { return block.is(word); });
@@ -162,7 +162,7 @@ TEST(ExportDecks, BeamsBendAsTheCardsYarnsDo) {
        std::vector<std::vector<std::string>>{{}, {"model.yarn_bending=[3, 8]", "model.yarn_stiffness_scale=2"}}) {
     std::vector<std::string> overrides = {"blank.coarsening=4", "model.yarn=beam"};
     overrides.insert(overrides.end(), more.begin(), more.end());
-    const Case model(overrides);
+    const DeckCase model(overrides);
     const double scale = more.empty() ? 1.0 : 2.0, in_plane = more.empty() ? 5.0 : 3.0, out = more.empty() ? 5.0 : 8.0;
     const double modulus = 19800.0 * scale;
     int beams = 0;
@@ -189,7 +189,7 @@ TEST(ExportDecks, BeamsBendAsTheCardsYarnsDo) {
 
 // A wave takes no less time through an idle end than through a yarn's element, and it weighs what it should.
 TEST(ExportDecks, IdleEndsSetNoStep) {
-  const Case model({"blank.coarsening=4", "blank.fit=none"});
+  const DeckCase model({"blank.coarsening=4", "blank.fit=none"});
   const auto blocks = model.radioss(Materials::user);
   std::map<long, std::pair<double, double>> material;  // density, modulus
   std::map<long, double> area;
@@ -222,7 +222,7 @@ TEST(ExportDecks, IdleEndsSetNoStep) {
 }
 
 TEST(ExportDecks, RigidWallsNameTheFabricsNodes) {
-  const Case model = hemisphere();
+  const DeckCase model = hemisphere();
   std::map<long, std::set<long>> set;
   int walls = 0;
   const auto blocks = model.dyna();
@@ -239,7 +239,7 @@ TEST(ExportDecks, RigidWallsNameTheFabricsNodes) {
 }
 
 TEST(ExportDecks, TheEngineFileRunsTheStarters) {
-  const Case model({"blank.coarsening=4"});
+  const DeckCase model({"blank.coarsening=4"});
   const ExportedMesh file = model.written(MeshFormat::openradioss, {.run_name = "cloth"});
   for (const auto& block : deck_blocks(file.text, '/', '#'))
     if (block.is("/BEGIN")) {
@@ -258,7 +258,7 @@ TEST(ExportDecks, TheEngineFileRunsTheStarters) {
 }
 
 TEST(ExportDecks, ToolsAreRigidBodiesWithContactFrictionAndForce) {
-  const Case model = hemisphere();
+  const DeckCase model = hemisphere();
   std::map<std::string, std::set<std::string>> has;  // of a tool
   std::map<long, std::string> title_of_group;
   const auto blocks = model.radioss();
@@ -306,7 +306,7 @@ TEST(ExportDecks, ToolsAreRigidBodiesWithContactFrictionAndForce) {
 // Corners on the tool's own surface, facets within the stated distance and turned outward, for every shape.
 TEST(ExportDecks, ToolMeshesLieOnTheirTools) {
   for (const std::string shape : {"sphere", "plane", "cylinder", "revolved"}) {
-    Case model = hemisphere();
+    DeckCase model = hemisphere();
     ToolSpec& punch = model.scene.tools[2];
     ASSERT_EQ(punch.name, "punch");
     punch.shape = test::chosen(shape);
@@ -345,7 +345,7 @@ TEST(ExportDecks, ToolMeshesLieOnTheirTools) {
 }
 
 TEST(ExportDecks, WeightIsCarried) {
-  const Case model({"blank.coarsening=4", "analysis.gravity=[0, 0, -9810]"});
+  const DeckCase model({"blank.coarsening=4", "analysis.gravity=[0, 0, -9810]"});
   for (const auto& block : model.radioss())
     if (block.is("/GRAV/")) {
       EXPECT_EQ(deck_real(block.line.at(1), 80, 20), -9810.0);

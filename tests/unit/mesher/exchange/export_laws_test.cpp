@@ -24,7 +24,7 @@ using test::deck_real;
 using test::deck_whole;
 using test::DeckCurve;
 
-struct Case : test::ExportedExample {
+struct LawCase : test::ExportedExample {
   using ExportedExample::ExportedExample;
   [[nodiscard]] std::string written(MeshFormat format) const { return ExportedExample::written(format).text; }
   // N; of yarn element e at length L, from the solver's law and the mesh (mesher/mesh/mesh.hpp).
@@ -60,7 +60,7 @@ void expect_force(double found, double expected, double typical, const std::stri
 
 TEST(ExportLaws, OpenRadiossSpringsPullAsTheYarnsDo) {
   for (const auto& overrides : models()) {
-    const Case model(overrides);
+    const LawCase model(overrides);
     std::map<int, std::vector<int>> elements;  // of a part
     std::map<int, int> function;
     std::map<int, double> factor, stretch;
@@ -99,7 +99,7 @@ TEST(ExportLaws, OpenRadiossSpringsPullAsTheYarnsDo) {
 
 TEST(ExportLaws, LsdynaSpringsPullAsTheYarnsDo) {
   for (const auto& overrides : models()) {
-    const Case model(overrides);
+    const LawCase model(overrides);
     const auto blocks = deck_blocks(model.written(MeshFormat::lsdyna), '*', '$');
     std::map<long, long> material_of, curve_of;
     std::map<long, DeckCurve> curve;
@@ -130,7 +130,7 @@ TEST(ExportLaws, LsdynaSpringsPullAsTheYarnsDo) {
 // Seatbelts and their partners are laws of the same springs.
 TEST(ExportLaws, SpringsOfSeatbeltsBearNoCompressionWithoutAPartner) {
   for (const std::string partner : {"none", "compression"}) {
-    const Case model({"blank.coarsening=4", "model.yarn=seatbelt", "model.partner=" + partner});
+    const LawCase model({"blank.coarsening=4", "model.yarn=seatbelt", "model.partner=" + partner});
     for (const auto& block : deck_blocks(model.written(MeshFormat::openradioss), '/', '#'))
       if (block.is("/FUNCT/2")) {
         const double pressed = deck_curve(block.line, 1).at(-0.05);
@@ -140,7 +140,7 @@ TEST(ExportLaws, SpringsOfSeatbeltsBearNoCompressionWithoutAPartner) {
 }
 
 // N/mm of thickness: stress power of the solver's cell per flat area and thickness, d(w)/d(gamma) = S cos gamma.
-double cell_power(const Case& model, double gamma) {
+double cell_power(const LawCase& model, double gamma) {
   const double share = model.scene.model.thickness == Thickness::constant ? std::cos(gamma) : 1.0;
   return share * shear_stress(model.card.shear, log_shear_strain(gamma)) * std::cos(gamma);
 }
@@ -162,7 +162,7 @@ std::vector<std::vector<std::string>> fabrics() {
 // that its volume per flat area is t cos gamma; its power is that times stress : velocity gradient.
 TEST(ExportLaws, OpenRadiossFabricShearsAsTheCellsDo) {
   for (const auto& overrides : fabrics()) {
-    const Case model(overrides);
+    const LawCase model(overrides);
     DeckCurve table;
     int function = 0;
     double fibre = 0.0;
@@ -194,7 +194,7 @@ TEST(ExportLaws, OpenRadiossFabricShearsAsTheCellsDo) {
 // by how much it was changed.
 TEST(ExportLaws, OpenRadiossShearCurvesRise) {
   for (const auto& overrides : fabrics()) {
-    Case model(overrides);
+    LawCase model(overrides);
     for (const bool falling : {false, true}) {
       if (falling) model.card.shear.tangent = TangentLaw({{0.0, 0.3, {0.3}}, {0.3, 0.6, {-0.1}}, {0.6, 2.0, {0.3}}});
       const ExportedMesh file = export_mesh(MeshFormat::openradioss, model.scene, model.card, model.mesh,
@@ -216,7 +216,7 @@ TEST(ExportLaws, OpenRadiossShearCurvesRise) {
 // Second Piola-Kirchhoff stress S12 on the flat axes over s = 2 E12: power per flat volume S12 d(2 E12)/d gamma.
 TEST(ExportLaws, LsdynaFabricShearsAsTheCellsDo) {
   for (const auto& overrides : fabrics()) {
-    const Case model(overrides);
+    const LawCase model(overrides);
     DeckCurve table;
     long curve = 0;
     const auto blocks = deck_blocks(model.written(MeshFormat::lsdyna), '*', '$');
@@ -249,7 +249,7 @@ TEST(ExportLaws, CellSpringsStoreTheCellsEnergy) {
     for (const std::string fit : {"blank.fit=grips", "blank.fit=none"}) {
       auto all = overrides;
       all.push_back(fit);
-      const Case model(all);
+      const LawCase model(all);
       const auto gathered =
           foreign::gather(model.scene, model.card, model.mesh, make_tools(model.scene, model.mesh), 0.5, "test");
       double volume = 0.0;
@@ -273,7 +273,7 @@ TEST(ExportLaws, CellSpringsStoreTheCellsEnergy) {
 // CalculiX reads 200 points of a table and no more, without a word.
 TEST(ExportLaws, CalculixTablesAreShortEnoughAndRight) {
   for (const auto& overrides : models()) {
-    const Case model(overrides);
+    const LawCase model(overrides);
     std::map<std::string, DeckCurve> table;
     const auto blocks = deck_blocks(model.written(MeshFormat::calculix), '*', '\1');
     for (const auto& block : blocks) {

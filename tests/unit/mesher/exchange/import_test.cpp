@@ -25,11 +25,11 @@ namespace {
 using test::TemporaryFolder;
 using test::write_text;
 
-struct Case {
+struct ImportCase {
   Scene scene;
   Card card;
   Mesh mesh;
-  explicit Case(const std::vector<std::string>& overrides, const std::string& example = "bias_extension_pw")
+  explicit ImportCase(const std::vector<std::string>& overrides, const std::string& example = "bias_extension_pw")
       : scene(read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + example + ".toml", overrides)),
         card(load_card(scene.fabric.material, scene.file)),
         mesh(build_mesh(scene, card)) {}
@@ -59,12 +59,12 @@ ForeignMesh read_text_as(const std::string& text, const std::string& ending) {
   return read_foreign_mesh(file);
 }
 
-const std::vector<std::string> cut = {"blank.coarsening=4", "blank.fit=none"};
+const std::vector<std::string> cut_at_45 = {"blank.coarsening=4", "blank.fit=none"};
 
 TEST(ImportOwn, ComesBackBitForBit) {
-  const Case blank(cut), frame({"blank.coarsening=4"}, "shear_frame_tw"),
+  const ImportCase blank(cut_at_45), frame({"blank.coarsening=4"}, "shear_frame_tw"),
       formed({"blank.coarsening=8"}, "hemisphere_pw");
-  for (const Case* model : {&blank, &frame, &formed})
+  for (const ImportCase* model : {&blank, &frame, &formed})
     for (const auto& [format, ending] : {std::pair{MeshFormat::abaqus, ".inp"}, std::pair{MeshFormat::gmsh, ".msh"}}) {
       const ImportedMesh back = import_own(read_text_as(model->written(format), ending));
       test::expect_same_mesh(back.mesh, model->mesh);
@@ -74,7 +74,7 @@ TEST(ImportOwn, ComesBackBitForBit) {
 
 // A file edited after Weaveform wrote it must not be taken for what it was.
 TEST(ImportOwn, RefusesAFileThatWasChanged) {
-  const Case model({"blank.coarsening=4"});
+  const ImportCase model({"blank.coarsening=4"});
   const std::string text = model.written(MeshFormat::abaqus);
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string other = text;
@@ -99,7 +99,7 @@ TEST(ImportOwn, RefusesAFileThatWasChanged) {
 // A rectangle along its yarns whose outline lies on yarns has only whole cells: everything of it can be recovered.
 // Text keeps at least 13 digits, so lengths come back to 1e-10 of a spacing.
 TEST(ImportForeign, RecoversAWholeLattice) {
-  const Case model({"blank.coarsening=4", "blank.yarn_angle=0", "blank.size=[98.4,196.8]"});
+  const ImportCase model({"blank.coarsening=4", "blank.yarn_angle=0", "blank.size=[98.4,196.8]"});
   for (const auto& [format, ending] : {std::pair{MeshFormat::abaqus, ".inp"}, std::pair{MeshFormat::gmsh, ".msh"}}) {
     const ForeignMesh file = read_text_as(without_weave_lines(model.written(format)), ending);
     const Mesh mesh = import_foreign(file, model.scene, model.card).mesh;
@@ -123,7 +123,7 @@ TEST(ImportForeign, RecoversAWholeLattice) {
 
 // Yarn rows and families do not hang on the order, the direction or the numbers of the file's elements.
 TEST(ImportForeign, TakesElementsInAnyOrderAndDirection) {
-  const Case model({"blank.coarsening=4"});
+  const ImportCase model({"blank.coarsening=4"});
   ForeignMesh file = read_text_as(without_weave_lines(model.written(MeshFormat::abaqus)), ".inp");
   const ImportedMesh as_written = import_foreign(file, model.scene, model.card);
   file.element_sets.clear();  // families from the lines' directions alone
@@ -145,11 +145,11 @@ TEST(ImportForeign, TakesElementsInAnyOrderAndDirection) {
 
 // Totals that the mechanics hang on, whatever the outline: area of the shells, yarn length = area / interval.
 TEST(ImportForeign, KeepsAreaAndYarnLengthOfCutBlanks) {
-  const Case model(cut);
+  const ImportCase model(cut_at_45);
   const ForeignMesh file = read_text_as(without_weave_lines(model.written(MeshFormat::gmsh)), ".msh");
   const Mesh mesh = import_foreign(file, model.scene, model.card).mesh;
   const double area = std::accumulate(mesh.cells.area.begin(), mesh.cells.area.end(), 0.0);
-  EXPECT_LT(std::abs(area / (115.0 * 230.0) - 1.0), 0.02) << "corners without a node are cut off";
+  EXPECT_LT(std::abs(area / (115.0 * 230.0) - 1.0), 0.02) << "corners without a node are cut_at_45 off";
   for (const Family family : {Family::warp, Family::weft}) {
     double length = 0.0;
     for (int e = 0; e < mesh.yarn_count(); ++e)
@@ -159,7 +159,7 @@ TEST(ImportForeign, KeepsAreaAndYarnLengthOfCutBlanks) {
 }
 
 TEST(ImportForeign, SaysWhatDoesNotFit) {
-  const Case model({"blank.coarsening=4"});
+  const ImportCase model({"blank.coarsening=4"});
   const ForeignMesh file = read_text_as(without_weave_lines(model.written(MeshFormat::abaqus)), ".inp");
   const auto complaint = [&](const ForeignMesh& mesh, const Scene& scene) -> std::string {
     try {
@@ -197,7 +197,7 @@ TEST(ImportForeign, SaysWhatDoesNotFit) {
 
 // A hybrid file written by hand: two warp and two weft yarns... and a tool beside them, in one .inp.
 TEST(ImportForeign, LeavesTheToolsShellsOutAndGivesThemAsASurface) {
-  const Case model({"blank.coarsening=4"});
+  const ImportCase model({"blank.coarsening=4"});
   std::string text = without_weave_lines(model.written(MeshFormat::abaqus));
   const std::string tool =
       "*NODE\n9001, 0, 0, 50\n9002, 10, 0, 50\n9003, 10, 10, 50\n9004, 0, 10, 50\n"

@@ -42,17 +42,17 @@ const NodeSet& node_set(const ForeignMesh& mesh, const std::string& name) {
   return *std::find_if(mesh.node_sets.begin(), mesh.node_sets.end(), [&](const auto& s) { return s.name == name; });
 }
 
-const std::string nodes = "1, 0., 0., 0.\n2, 1., 0., 0.\n3, 1., 1., 0.\n4, 0., 1., 0.\n";
-const std::string square = "*Node\n" + nodes + "*Element, type=S4R\n1, 1, 2, 3, 4\n";
+const std::string node_lines = "1, 0., 0., 0.\n2, 1., 0., 0.\n3, 1., 1., 0.\n4, 0., 1., 0.\n";
+const std::string square_lines = "*Node\n" + node_lines + "*Element, type=S4R\n1, 1, 2, 3, 4\n";
 
 // Each part numbers from 1; what CAE calls the same in two parts stays two things.
 TEST_F(Deck, PartsAreNumberedApart) {
-  const ForeignMesh mesh =
-      read("*Heading\n*Part, name=A\n" + square + "*Nset, nset=edge\n1, 2\n*End Part\n*Part, name=B\n" + square +
-           "*Nset, nset=edge\n3, 4\n*End Part\n*Assembly, name=Assembly\n"
-           "*Instance, name=A-1, part=A\n*End Instance\n*Instance, name=B-1, part=B\n*End Instance\n"
-           "*Nset, nset=both, instance=A-1\n1,\n*Nset, nset=both, instance=B-1\n1,\n"
-           "*Elset, elset=_PickedSet1, internal, instance=B-1\n1,\n*End Assembly\n");
+  const ForeignMesh mesh = read(
+      "*Heading\n*Part, name=A\n" + square_lines + "*Nset, nset=edge\n1, 2\n*End Part\n*Part, name=B\n" + square_lines +
+      "*Nset, nset=edge\n3, 4\n*End Part\n*Assembly, name=Assembly\n"
+      "*Instance, name=A-1, part=A\n*End Instance\n*Instance, name=B-1, part=B\n*End Instance\n"
+      "*Nset, nset=both, instance=A-1\n1,\n*Nset, nset=both, instance=B-1\n1,\n"
+      "*Elset, elset=_PickedSet1, internal, instance=B-1\n1,\n*End Assembly\n");
   ASSERT_EQ(mesh.position.size(), 8U);
   ASSERT_EQ(mesh.shells.size(), 2U);
   EXPECT_EQ(mesh.shells[1].number, 1);
@@ -68,7 +68,7 @@ TEST_F(Deck, PartsAreNumberedApart) {
 
 // Translation first, then rotation by the right hand about the axis from the first point to the second.
 TEST_F(Deck, AnInstanceStandsWhereTheAssemblyPutsIt) {
-  const std::string part = "*PART, NAME=A\n" + square + "*END PART\n*ASSEMBLY, NAME=M\n";
+  const std::string part = "*PART, NAME=A\n" + square_lines + "*END PART\n*ASSEMBLY, NAME=M\n";
   const auto corner = [&](const std::string& lines) {
     return read(part + "*INSTANCE, NAME=A-1, PART=A\n" + lines + "*END INSTANCE\n*END ASSEMBLY\n").position[1];
   };
@@ -84,7 +84,7 @@ TEST_F(Deck, AnInstanceStandsWhereTheAssemblyPutsIt) {
 // An independent instance has its mesh in its own block; the part's is empty.
 TEST_F(Deck, AnInstanceMayHoldItsOwnMesh) {
   const ForeignMesh mesh =
-      read("*Part, name=P\n*End Part\n*Assembly, name=A\n*Instance, name=P-1, part=P\n0., 0., 7.\n" + square +
+      read("*Part, name=P\n*End Part\n*Assembly, name=A\n*Instance, name=P-1, part=P\n0., 0., 7.\n" + square_lines +
            "*Elset, elset=skin, generate\n1, 1, 1\n*End Instance\n*Node\n1, 5., 5., 5.\n"
            "*Nset, nset=RP\n1,\n*Nset, nset=mixed\nP-1.2, RP\n*End Assembly\n");
   ASSERT_EQ(mesh.position.size(), 5U);
@@ -95,7 +95,7 @@ TEST_F(Deck, AnInstanceMayHoldItsOwnMesh) {
 }
 
 TEST_F(Deck, TwoInstancesOfAPartAreAskedFor) {
-  const ForeignMesh mesh = read("*Part, name=PUNCH\n" + square +
+  const ForeignMesh mesh = read("*Part, name=PUNCH\n" + square_lines +
                                 "*End Part\n*Assembly, name=A\n"
                                 "*Instance, name=left, part=PUNCH\n*End Instance\n"
                                 "*Instance, name=right, part=PUNCH\n9., 0., 0.\n*End Instance\n*End Assembly\n");
@@ -122,8 +122,9 @@ TEST_F(Deck, DialectsReadTheSame) {
 TEST_F(Deck, ElementTypesAreReadByWhatTheyAre) {
   const auto shape = [&](const std::string& type, const std::string& element) {
     const ForeignMesh mesh =
-        read("*NODE\n" + nodes + "5,0,0,0\n6,0,0,0\n7,0,0,0\n8,0,0,0\n*ELEMENT, TYPE=T3D2\n90, 1, 2\n*ELEMENT, TYPE=" +
-             type + "\n" + element + "\n");
+        read("*NODE\n" + node_lines +
+             "5,0,0,0\n6,0,0,0\n7,0,0,0\n8,0,0,0\n*ELEMENT, TYPE=T3D2\n90, 1, 2\n*ELEMENT, TYPE=" + type + "\n" +
+             element + "\n");
     return std::pair{mesh.lines.size() - 1, mesh.shells.empty() ? 0U : mesh.shells[0].node.size()};
   };
   for (const char* type : {"T2D2", "T3D2H", "B21", "B31", "B31OS", "B33", "PIPE31", "t3d2"})
@@ -142,7 +143,7 @@ TEST_F(Deck, ElementTypesAreReadByWhatTheyAre) {
 }
 
 TEST_F(Deck, FilesThatItNamesAreReadBesideIt) {
-  beside("points.txt", "** x y z\n" + nodes);
+  beside("points.txt", "** x y z\n" + node_lines);
   beside("shells.txt", "1, 1, 2, 3, 4\n");
   beside("inner.inp", "*Node, input=points.txt\n");
   beside("members.txt", "1, 2\n");
@@ -186,13 +187,13 @@ TEST_F(Deck, FilesThatCannotBeReadAreNamedWithTheirLine) {
 // What would make another mesh if it were passed over.
 TEST_F(Deck, WhatMakesOrMovesNodesIsRefusedByName) {
   for (const std::string word : {"*NGEN", "*NFILL", "*ELGEN", "*NCOPY", "*SYSTEM", "*NMAP"}) {
-    const std::string what = complaint<InputError>(square + word + "\n1, 5, 1\n");
+    const std::string what = complaint<InputError>(square_lines + word + "\n1, 5, 1\n");
     EXPECT_NE(what.find("deck.inp:8: " + word), std::string::npos) << what;
   }
-  EXPECT_NE(
-      complaint<InputError>("*Part, name=A\n" + square + "*End Part\n*Assembly, name=M\n*Instance, name=I, part=B\n")
-          .find("no part is named 'B'"),
-      std::string::npos);
+  EXPECT_NE(complaint<InputError>("*Part, name=A\n" + square_lines +
+                                  "*End Part\n*Assembly, name=M\n*Instance, name=I, part=B\n")
+                .find("no part is named 'B'"),
+            std::string::npos);
   EXPECT_NE(complaint<InputError>("*NODE\n1,0,0,0\n2,0,0,0\n*ELEMENT, TYPE=T3D3\n1, 1, 2, 1\n").find("'T3D3'"),
             std::string::npos);
   EXPECT_NE(complaint<InputError>("*NODE\n1,0,0,0\n*ELEMENT, TYPE=C3D4\n1, 1, 1, 1, 1\n").find("1 C3D4"),
@@ -204,7 +205,7 @@ struct Lattice {
   int a = 6, b = 8;
   double z = 0.0, noise = 0.0;
   [[nodiscard]] int node(int i, int j) const { return j * (a + 1) + i + 1; }
-  [[nodiscard]] std::string nodes() const {
+  [[nodiscard]] std::string node_lines() const {
     std::string text = "*Node\n";
     char line[100];
     for (int j = 0; j <= b; ++j)
@@ -237,7 +238,7 @@ struct Lattice {
     return "*Nset, nset=" + name + more + ", generate\n" + std::to_string(node(0, j)) + ", " +
            std::to_string(node(a, j)) + ", 1\n";
   }
-  [[nodiscard]] std::string mesh() const { return nodes() + elements(); }
+  [[nodiscard]] std::string mesh() const { return node_lines() + elements(); }
   [[nodiscard]] std::string flat_deck() const { return "*Heading\n" + mesh() + set("bottom", 0) + set("top", b); }
 };
 

@@ -23,7 +23,7 @@ Symmetry symmetry_of(const Scene& scene) {
   return find_symmetry(scene, card, mesh, make_tools(scene, mesh));
 }
 
-GripSpec grip(const std::string& edge, double travel) {
+GripSpec grip_at(const std::string& edge, double travel) {
   GripSpec grip = lattice_zoo::grip_on(edge);
   grip.travel = travel;
   return grip;
@@ -92,29 +92,29 @@ TEST(Symmetry, WhatBreaksItIsNamed) {
        },
        "half", "gravity pulls across it"},
       {"random start", [](Scene& s) { s.analysis.perturbation = 0.1; }, "none", "analysis.perturbation is random"},
-      {"one-sided grip", [](Scene& s) { s.grip = {grip("left", 0.0)}; }, "half",
+      {"one-sided grip", [](Scene& s) { s.grip = {grip_at("left", 0.0)}; }, "half",
        "grip 'left' has none like it opposite"},
       {"boxes of unequal size",
        [](Scene& s) {
-         s.grip = {grip("", 0.0), grip("", 0.0)};
+         s.grip = {grip_at("", 0.0), grip_at("", 0.0)};
          s.grip[0].name = "one", s.grip[0].box = {{-70.0, -70.0, -50.0, 70.0}};
          s.grip[1].name = "other", s.grip[1].box = {{40.0, -70.0, 70.0, 70.0}};
        },
        "half", "grip 'one' has none like it opposite"},
       {"grips of unequal travel",
        [](Scene& s) {
-         s.grip = {grip("left", 1.0), grip("right", 2.0)};
+         s.grip = {grip_at("left", 1.0), grip_at("right", 2.0)};
        },
        "half", "grips 'left' and 'right' differ in travel"},
       {"grip that pulls sideways",
        [](Scene& s) {
-         s.grip = {grip("top", 1.0), grip("bottom", 1.0)};
+         s.grip = {grip_at("top", 1.0), grip_at("bottom", 1.0)};
          for (auto& g : s.grip) g.direction = {{1.0, 0.0, 0.0}};
        },
        "half", "grip 'top' pulls across it"},
       {"grips that let different things go",
        [](Scene& s) {
-         s.grip = {grip("left", 1.0), grip("right", 1.0)};
+         s.grip = {grip_at("left", 1.0), grip_at("right", 1.0)};
          s.grip[0].free = {Component::y};
        },
        "half", "differ in travel or freedom"},
@@ -191,7 +191,7 @@ TEST(Symmetry, WhatDoesNotBreakItIsNot) {
       {"boxes alike",
        [](Scene& s) {
          s.tools.clear();
-         s.grip = {grip("", 1.0), grip("", 1.0)};
+         s.grip = {grip_at("", 1.0), grip_at("", 1.0)};
          s.grip[0].name = "one", s.grip[0].box = {{-70.0, -70.0, -50.0, 70.0}};
          s.grip[1].name = "other", s.grip[1].box = {{50.0, -70.0, 70.0, 70.0}};
          s.grip[0].direction = {{-1.0, 0.0, 0.0}};
@@ -200,7 +200,7 @@ TEST(Symmetry, WhatDoesNotBreakItIsNot) {
       {"biaxial pull",
        [](Scene& s) {
          s.tools.clear();
-         s.grip = {grip("left", 1.0), grip("right", 1.0), grip("bottom", 0.0), grip("top", 0.0)};
+         s.grip = {grip_at("left", 1.0), grip_at("right", 1.0), grip_at("bottom", 0.0), grip_at("top", 0.0)};
        }},
   };
   for (const auto& [name, change] : changes) {

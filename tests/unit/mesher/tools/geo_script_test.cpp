@@ -13,7 +13,7 @@
 namespace weaveform {
 namespace {
 
-std::string complaint(const std::string& script) {
+std::string script_complaint(const std::string& script) {
   try {
     (void)geometry_script(script, "x.geo");
   } catch (const InputError& error) {
@@ -65,7 +65,8 @@ TEST(GeoScript, WhatDoesMoreThanDescribeGeometryIsRefusedWithItsPlace) {
                                     "SomethingNew 3;",
                                     "DefineConstant[ a = {1, ServerAction \"x\"} ];",
                                     "General.NumThreads = 8;"}) {
-    const std::string line = complaint("SetFactory(\"OpenCASCADE\");\n  " + command + "\nSphere(1) = {0, 0, 0, 1};\n");
+    const std::string line =
+        script_complaint("SetFactory(\"OpenCASCADE\");\n  " + command + "\nSphere(1) = {0, 0, 0, 1};\n");
     EXPECT_EQ(line.find("x.geo:2:"), 0U) << command << ": " << line;
     EXPECT_NE(line.find("--trust-geo"), std::string::npos) << command << ": " << line;
   }
@@ -76,16 +77,16 @@ TEST(GeoScript, NothingHidesInCommentsTextsOrLines) {
   const std::string looped = geometry_script("For i In {1:2} /*\nSystemCall \"x\"; */\nEndFor\n", "x.geo");
   EXPECT_EQ(looped.find("SystemCall"), std::string::npos);
   EXPECT_EQ(std::count(looped.begin(), looped.end(), '\n'), 3) << "lines keep their numbers";
-  EXPECT_EQ(complaint("// SystemCall \"x\";\na = 1; // Merge\n/* Exit; */ b = \"Save SystemCall\";\n"), "");
-  EXPECT_EQ(complaint("// x\rSystemCall \"x\";\n"), "") << "as Gmsh, a comment ends with its line";
+  EXPECT_EQ(script_complaint("// SystemCall \"x\";\na = 1; // Merge\n/* Exit; */ b = \"Save SystemCall\";\n"), "");
+  EXPECT_EQ(script_complaint("// x\rSystemCall \"x\";\n"), "") << "as Gmsh, a comment ends with its line";
   std::string long_text(1100, 'x');
   long_text.insert(0, "a = \"");
-  EXPECT_NE(complaint(long_text.append("SystemCall 'touch x'; \";")), "");
-  EXPECT_NE(complaint("a = \"x\nSystemCall 'x';\n\";"), "");
-  EXPECT_NE(complaint(std::string("a = 1;\0SystemCall 'x';", 22)), "");
-  EXPECT_NE(complaint("/* no end"), "");
-  EXPECT_NE(complaint("1eSystemCall 'x';1e5SystemCall 'x';"), "");
-  EXPECT_NE(complaint("$MeshFormat\n"), "");
+  EXPECT_NE(script_complaint(long_text.append("SystemCall 'touch x'; \";")), "");
+  EXPECT_NE(script_complaint("a = \"x\nSystemCall 'x';\n\";"), "");
+  EXPECT_NE(script_complaint(std::string("a = 1;\0SystemCall 'x';", 22)), "");
+  EXPECT_NE(script_complaint("/* no end"), "");
+  EXPECT_NE(script_complaint("1eSystemCall 'x';1e5SystemCall 'x';"), "");
+  EXPECT_NE(script_complaint("$MeshFormat\n"), "");
 }
 
 TEST(GeoScript, GeometryPassesByteForByte) {
@@ -100,21 +101,21 @@ TEST(GeoScript, GeometryPassesByteForByte) {
       "Volume{1}; } }\n"
       "Field[1] = Distance; Field[1].NumPointsPerCurve = 3; Field[2] = MathEval; Field[2].F = \"x\";\n"
       "Background Field = 2;\nPrintf(\"r = %g\", r);\nMesh.Color.Points = {1, 2, 3};\nMesh 2;\nCoherence;\n";
-  EXPECT_EQ(complaint(script), "");
+  EXPECT_EQ(script_complaint(script), "");
   EXPECT_EQ(geometry_script(script, "x.geo"), script);
   for (const auto& entry : std::filesystem::directory_iterator(WEAVEFORM_SOURCE_DIR "/examples/cad"))
     if (entry.path().extension() == ".geo") {
-      EXPECT_EQ(complaint(test::read_text(entry.path())), "") << entry.path();
+      EXPECT_EQ(script_complaint(test::read_text(entry.path())), "") << entry.path();
     }
 }
 
 TEST(GeoScript, ScriptsOfAnyBytesEndSoon) {
   const std::string sound = test::read_text(WEAVEFORM_SOURCE_DIR "/examples/cad/box_punch.geo");
-  for (unsigned seed = 0; seed < 2000; ++seed) (void)complaint(test::damaged(sound, seed));
+  for (unsigned seed = 0; seed < 2000; ++seed) (void)script_complaint(test::damaged(sound, seed));
   std::string nested, fields;
   for (int k = 0; k < 200000; ++k) nested += "Printf(", fields += "Field[";
-  EXPECT_NE(complaint(nested), "");
-  (void)complaint(fields);
+  EXPECT_NE(script_complaint(nested), "");
+  (void)script_complaint(fields);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::string binary(const std::vector<std::array<float, 9>>& facets, std::uint32_
   return bytes;
 }
 
-std::string complaint(const std::string& bytes) {
+std::string stl_complaint(const std::string& bytes) {
   try {
     (void)parse_stl(bytes, "t.stl");
   } catch (const InputError& error) {
@@ -54,9 +54,10 @@ TEST(Stl, TextAndBinaryGiveTheSameSurface) {
   std::string solid = binary({{0, 0, 0, 10, 0, 0, 0, 10, 0}}, 1);
   std::memcpy(solid.data(), "solid ", 6);
   EXPECT_EQ(parse_stl(solid, "t.stl").triangle.size(), 1U) << "many binary files begin with solid";
-  EXPECT_EQ(complaint("SOLID X\nFACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX +1e0 0 0 VERTEX 0 1 0 ENDLOOP "
-                      "ENDFACET\nENDSOLID"),
-            "");
+  EXPECT_EQ(
+      stl_complaint("SOLID X\nFACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX +1e0 0 0 VERTEX 0 1 0 ENDLOOP "
+                    "ENDFACET\nENDSOLID"),
+      "");
 }
 
 // As old CAD systems, numpy-stl, spreadsheets and people write them.
@@ -76,7 +77,7 @@ TEST(Stl, TextIsReadInAnyCaseOfLettersWithWhateverStandsBeforeSolid) {
     variants.push_back(begin + rest);
   variants.push_back(sound.substr(0, sound.find("endsolid")) + std::string("ENDSOLID a\n"));
   for (const std::string& variant : variants) {
-    ASSERT_EQ(complaint(variant), "") << variant.substr(0, 40);
+    ASSERT_EQ(stl_complaint(variant), "") << variant.substr(0, 40);
     EXPECT_EQ(parse_stl(variant, "t.stl").point, wanted.point) << variant.substr(0, 40);
   }
 }
@@ -86,29 +87,29 @@ TEST(Stl, SizeTellsBinaryFromText) {
     std::string bytes = binary({{0, 0, 0, 10, 0, 0, 0, 10, 0}, {10, 10, 0.5, 10, 0, 0, 0, 10, 0}}, 2);
     std::memcpy(bytes.data(), begin, std::strlen(begin));
     EXPECT_EQ(parse_stl(bytes, "t.stl").triangle.size(), 2U) << begin;
-    EXPECT_NE(complaint(bytes.substr(0, bytes.size() - 20)).find("announces 2 facets"), std::string::npos) << begin;
+    EXPECT_NE(stl_complaint(bytes.substr(0, bytes.size() - 20)).find("announces 2 facets"), std::string::npos) << begin;
   }
 }
 
 TEST(Stl, CornersThatAreNoPlaceAreRefusedByFacet) {
   for (const char* corner : {"nan 0 0", "0 inf 0", "0 0 -inf", "1e308 0 0", "0 1e999 0", "0 0 1.1e7"}) {
-    const std::string line = complaint("solid\n" + facet("0 0 0") + facet(corner) + "endsolid\n");
+    const std::string line = stl_complaint("solid\n" + facet("0 0 0") + facet(corner) + "endsolid\n");
     EXPECT_NE(line.find("facet 2 has a corner at"), std::string::npos) << corner << ": " << line;
   }
   for (const float x : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e38F}) {
-    const std::string line = complaint(binary({{0, 0, 0, 10, 0, 0, 0, 10, 0}, {x, 0, 0, 10, 0, 0, 0, 10, 0}}, 2));
+    const std::string line = stl_complaint(binary({{0, 0, 0, 10, 0, 0, 0, 10, 0}, {x, 0, 0, 10, 0, 0, 0, 10, 0}}, 2));
     EXPECT_NE(line.find("facet 2 has a corner at"), std::string::npos) << line;
   }
 }
 
 TEST(Stl, SizesAreComparedWithTheFile) {
-  const std::string line = complaint(binary({{0, 0, 0, 10, 0, 0, 0, 10, 0}}, 4000000000U));
+  const std::string line = stl_complaint(binary({{0, 0, 0, 10, 0, 0, 0, 10, 0}}, 4000000000U));
   EXPECT_NE(line.find("announces 4000000000 facets and 50 bytes follow"), std::string::npos) << line;
-  EXPECT_NE(complaint(""), "");
-  EXPECT_NE(complaint("solid\nendsolid\n").find("no facet"), std::string::npos);
-  EXPECT_NE(complaint("solid\n" + facet("0 0 0")).find("no endsolid"), std::string::npos);
-  EXPECT_NE(complaint("solid\n" + facet("0 0 0").substr(0, 60)).find("cut short"), std::string::npos);
-  EXPECT_NE(complaint("solid\n" + facet("0 0 zero") + "endsolid\n").find("t.stl:4: not an STL surface: 'zero'"),
+  EXPECT_NE(stl_complaint(""), "");
+  EXPECT_NE(stl_complaint("solid\nendsolid\n").find("no facet"), std::string::npos);
+  EXPECT_NE(stl_complaint("solid\n" + facet("0 0 0")).find("no endsolid"), std::string::npos);
+  EXPECT_NE(stl_complaint("solid\n" + facet("0 0 0").substr(0, 60)).find("cut short"), std::string::npos);
+  EXPECT_NE(stl_complaint("solid\n" + facet("0 0 zero") + "endsolid\n").find("t.stl:4: not an STL surface: 'zero'"),
             std::string::npos);
 }
 

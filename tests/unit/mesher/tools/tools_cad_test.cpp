@@ -223,7 +223,7 @@ std::string stl(const TriangleList& list, double unit) {
   return text + "endsolid x\n";
 }
 
-std::string complaint(const fs::path& file, const std::string& more = "") {
+std::string cad_complaint(const fs::path& file, const std::string& more = "") {
   try {
     const Scene scene =
         read_scene_text(fmt::format("[blank]\nsize = [30, 30]\n[tools.part]\nshape = \"triangles\"\nfile = \"{}\"\n{}",
@@ -239,14 +239,14 @@ std::string complaint(const fs::path& file, const std::string& more = "") {
 TEST(ToolOfTriangles, MetresAndNormalsInwardAreErrorsThatSaySo) {
   const TemporaryFile metres(".stl", stl(box(), 1e-3)), inward(".stl", stl(turned_over(box()), 1.0)),
       sound(".stl", stl(box(), 1.0));
-  EXPECT_EQ(complaint(sound.path()), "");
-  EXPECT_NE(complaint(metres.path()).find("is the file in metres? Set unit = \"m\""), std::string::npos)
-      << complaint(metres.path());
-  EXPECT_EQ(complaint(metres.path(), "unit = \"m\"\n"), "");
-  EXPECT_EQ(complaint(metres.path(), "unit = \"mm\"\n"), "");
-  EXPECT_NE(complaint(sound.path(), "unit = \"m\"\n[drape]\ntool=\"x\"\n").find("no [tools.x]"), std::string::npos);
-  EXPECT_NE(complaint(inward.path()).find("normals inward"), std::string::npos);
-  EXPECT_EQ(complaint(inward.path(), "flip = true\n"), "");
+  EXPECT_EQ(cad_complaint(sound.path()), "");
+  EXPECT_NE(cad_complaint(metres.path()).find("is the file in metres? Set unit = \"m\""), std::string::npos)
+      << cad_complaint(metres.path());
+  EXPECT_EQ(cad_complaint(metres.path(), "unit = \"m\"\n"), "");
+  EXPECT_EQ(cad_complaint(metres.path(), "unit = \"mm\"\n"), "");
+  EXPECT_NE(cad_complaint(sound.path(), "unit = \"m\"\n[drape]\ntool=\"x\"\n").find("no [tools.x]"), std::string::npos);
+  EXPECT_NE(cad_complaint(inward.path()).find("normals inward"), std::string::npos);
+  EXPECT_EQ(cad_complaint(inward.path(), "flip = true\n"), "");
   const Scene scene = read_scene_text(
       fmt::format("[blank]\nsize = [30, 30]\n[tools.part]\nshape = \"triangles\"\nunit = \"m\"\nfile = \"{}\"\n",
                   metres.path().string()),

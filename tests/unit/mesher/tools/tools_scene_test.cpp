@@ -9,7 +9,7 @@
 namespace weaveform {
 namespace {
 
-const std::string hemisphere = R"([tools.punch]
+const std::string hemisphere_scene = R"([tools.punch]
 shape = "sphere"
 radius = 75
 travel = 90
@@ -25,7 +25,7 @@ opening_radius = 77
 fillet_radius = 15
 )";
 
-std::string complaint(const std::string& text, const std::vector<std::string>& overrides = {}) {
+std::string scene_complaint(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     (void)read_scene_text(text, "s.toml", overrides);
   } catch (const InputError& error) {
@@ -35,7 +35,7 @@ std::string complaint(const std::string& text, const std::vector<std::string>& o
 }
 
 TEST(ToolScene, ToolsAreNamedByTheirTablesAndComeInTheOrderOfNames) {
-  const Scene scene = read_scene_text(hemisphere, "s.toml");
+  const Scene scene = read_scene_text(hemisphere_scene, "s.toml");
   ASSERT_EQ(scene.tools.size(), 3U);
   EXPECT_EQ(scene.tools[0].name, "binder");
   EXPECT_EQ(scene.tools[0].force, 650.0);
@@ -45,7 +45,7 @@ TEST(ToolScene, ToolsAreNamedByTheirTablesAndComeInTheOrderOfNames) {
 }
 
 TEST(ToolScene, EchoReadsBackToTheSameTools) {
-  Scene scene = read_scene_text(hemisphere, "s.toml");
+  Scene scene = read_scene_text(hemisphere_scene, "s.toml");
   scene.tools[2].speed = {{0, 0}, {0.25, 1}, {1, 1.0 / 3.0}};
   scene.tools[2].direction = {{0.1, 0, -1}};
   scene.tools[2].offset = 0.0;
@@ -53,12 +53,12 @@ TEST(ToolScene, EchoReadsBackToTheSameTools) {
 }
 
 TEST(ToolScene, OverridesReachANamedTool) {
-  const Scene scene = read_scene_text(hemisphere, "s.toml", {"tools.punch.travel=60", "tools.die.friction=0.1"});
+  const Scene scene = read_scene_text(hemisphere_scene, "s.toml", {"tools.punch.travel=60", "tools.die.friction=0.1"});
   EXPECT_EQ(scene.tools[2].travel, 60.0);
   EXPECT_EQ(scene.tools[1].friction, 0.1);
-  EXPECT_EQ(complaint(hemisphere, {"tools.punsh.travel=60"}),
+  EXPECT_EQ(scene_complaint(hemisphere_scene, {"tools.punsh.travel=60"}),
             "--set tools.punsh.travel: no [tools.punsh]; did you mean 'punch'?");
-  EXPECT_EQ(complaint(hemisphere, {"tools.travel=60"}), "--set tools.travel: write tools.NAME.KEY=VALUE");
+  EXPECT_EQ(scene_complaint(hemisphere_scene, {"tools.travel=60"}), "--set tools.travel: write tools.NAME.KEY=VALUE");
 }
 
 TEST(ToolScene, EachComplaintSaysWhereAndWhat) {
@@ -86,7 +86,7 @@ profile = [1, 2]
 position = [0, 0, 0]
 mass = 1e-4
 )";
-  const std::string all = complaint(text);
+  const std::string all = scene_complaint(text);
   for (const char* line :
        {"s.toml:2:9: 'shape' is 'spere'", "did you mean 'sphere'", "s.toml:3:1: [tools.b] lacks 'radius'",
         "s.toml:5:18: 'opening_radius' means nothing to the shape 'sphere'; it belongs to ring",
@@ -95,12 +95,12 @@ mass = 1e-4
         "s.toml:15:1: [tools.e] lacks 'position'", "s.toml:21:12: 'profile' is",
         "s.toml:23:8: 'mass' is that of a tool"})
     EXPECT_NE(all.find(line), std::string::npos) << line << "\nin\n" << all;
-  EXPECT_NE(complaint("[tools]\npunch = 3").find("begin each with [tools.NAME]"), std::string::npos);
-  EXPECT_NE(complaint("[[tools]]\nshape = \"plane\"").find("begin each with [tools.NAME]"), std::string::npos);
+  EXPECT_NE(scene_complaint("[tools]\npunch = 3").find("begin each with [tools.NAME]"), std::string::npos);
+  EXPECT_NE(scene_complaint("[[tools]]\nshape = \"plane\"").find("begin each with [tools.NAME]"), std::string::npos);
 }
 
 TEST(ToolScene, ToolsLeftToThemselvesTouchTheBlank) {
-  Scene scene = read_scene_text(hemisphere, "s.toml");
+  Scene scene = read_scene_text(hemisphere_scene, "s.toml");
   scene.blank.position = {1.0, 2.0, 3.0};
   const auto tools = make_tools(scene, 0.5);
   EXPECT_EQ(tools[0].start.origin, (Vec3{1.0, 2.0, 3.25}));   // binder, facing down

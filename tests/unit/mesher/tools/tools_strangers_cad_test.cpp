@@ -53,7 +53,7 @@ void expect_size(const TriangleReport& report, const std::array<double, 3>& size
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(report.high[c] - report.low[c], size[c], within) << "along " << c;
 }
 
-std::string complaint(const fs::path& file, double tolerance = 0.05) {
+std::string stranger_complaint(const fs::path& file, double tolerance = 0.05) {
   try {
     (void)read_cad(file, tolerance);
   } catch (const InputError& error) {
@@ -245,7 +245,7 @@ TEST_F(StrangersCad, FacesOfGmshsOwnKernelComeWithinTheToleranceWithAnyMeshOptio
 
 TEST_F(StrangersCad, TheReadersOwnWordsComeWithTheLine) {
   const std::string unknown =
-      complaint(file("newer.geo", opencascade + "c = newcl;\nRectangle(1) = {0, 0, 0, 1, 1};\n"));
+      stranger_complaint(file("newer.geo", opencascade + "c = newcl;\nRectangle(1) = {0, 0, 0, 1, 1};\n"));
   EXPECT_NE(unknown.find("line 2: Unknown variable 'newcl'"), std::string::npos) << unknown;
 
   convert_cad(file("box.geo", opencascade + "Box(1) = {0, 0, 0, 30, 20, 10};\n"), place("box.step"));
@@ -255,12 +255,12 @@ TEST_F(StrangersCad, TheReadersOwnWordsComeWithTheLine) {
   step.replace(at, 20, "CARTESIAN_POINT('',((");
   // a statement is found wanting where it ends, on the line after
   const auto line = std::count(step.begin(), step.begin() + static_cast<long>(at), '\n') + 2;
-  const std::string broken = complaint(file("broken.step", step));
+  const std::string broken = stranger_complaint(file("broken.step", step));
   EXPECT_NE(broken.find(fmt::format("Line {}: Incorrect syntax", line)), std::string::npos) << line << ": " << broken;
 
   std::string iges = iges_patch(2, "MM");
   iges.replace(iges.find("     128"), 8, "     999");
-  const std::string undefined = complaint(file("undefined.igs", iges));
+  const std::string undefined = stranger_complaint(file("undefined.igs", iges));
   EXPECT_NE(undefined.find("entity type"), std::string::npos) << undefined;
 }
 
@@ -280,7 +280,7 @@ TEST_F(StrangersCad, DamagedIgesEndsInASurfaceOrAnError) {
 }
 
 TEST_F(StrangersCad, AToleranceBeyondReasonIsRefusedAtOnce) {
-  EXPECT_NE(complaint(file("ball.geo", opencascade + "Sphere(1) = {0, 0, 0, 30};\n"), 1e-6).find("too fine"),
+  EXPECT_NE(stranger_complaint(file("ball.geo", opencascade + "Sphere(1) = {0, 0, 0, 30};\n"), 1e-6).find("too fine"),
             std::string::npos);
 }
 

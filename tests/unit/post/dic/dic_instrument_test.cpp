@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/vector/angle.hpp"
 #include "fabric/card/card.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
@@ -20,7 +21,6 @@ using namespace weaveform;
 using namespace weaveform::dic;
 using Eigen::Vector2d;
 
-constexpr double degree = std::numbers::pi / 180.0;
 const double r = std::sqrt(0.5);
 const YarnDirections diagonal = {{r, r}, {-r, r}};
 const YarnDirections upright = {{1.0, 0.0}, {0.0, 1.0}};
@@ -176,14 +176,14 @@ TEST_F(OnTheMesh, FacetsOffTheFabricSeeNothing) {
   EXPECT_FALSE(sample_facets(flat, {{57.6, 0.0}}, 6.0, 0.1).found(0));
 }
 
-struct Field {
+struct GridField {
   std::vector<Vec2> point;
   std::vector<Vec3> u;
   std::vector<bool> valid;
 };
 
-Field grid(int side, double step, std::uint64_t seed, double noise) {
-  Field field;
+GridField grid(int side, double step, std::uint64_t seed, double noise) {
+  GridField field;
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
       const NoiseKey key = {seed, 0, field.point.size()};
@@ -197,7 +197,7 @@ Field grid(int side, double step, std::uint64_t seed, double noise) {
 }
 
 TEST(StrainWindow, LinearFieldIsExactWithHolesAndAtTheEdges) {
-  Field field = grid(12, 1.7, 1, 0.0);
+  GridField field = grid(12, 1.7, 1, 0.0);
   for (const std::size_t hole : {14, 15, 27, 60, 61, 100}) field.valid[hole] = false;
   const Neighbours neighbours = find_neighbours(field.point, 1.7, 5);
   EXPECT_EQ(neighbours.full, 25);
@@ -218,7 +218,7 @@ TEST(StrainWindow, LinearFieldIsExactWithHolesAndAtTheEdges) {
 }
 
 TEST(StrainWindow, PointsOnALineHaveNoGradient) {
-  Field field;
+  GridField field;
   for (int i = 0; i < 9; ++i) {
     field.point.push_back({static_cast<double>(i), 0.0});
     field.u.push_back({0.0, 0.0, 0.0});
@@ -229,7 +229,7 @@ TEST(StrainWindow, PointsOnALineHaveNoGradient) {
 }
 
 TEST(StrainWindow, StepIsFoundWithPointsMissing) {
-  Field field = grid(40, 2.25, 1, 0.0);
+  GridField field = grid(40, 2.25, 1, 0.0);
   std::vector<Vec2> left;
   for (std::size_t i = 0; i < field.point.size(); ++i)
     if (uniform({3, 0, i}, 0) > 0.3) left.push_back(field.point[i]);
@@ -257,7 +257,7 @@ TEST(StrainWindow, UncertaintyIsTheScatterOfManySeeds) {
   constexpr int seeds = 4000;
   double sum = 0.0, square = 0.0, scatter = 0.0, predicted = 0.0;
   for (int seed = 0; seed < seeds; ++seed) {
-    const Field field = grid(5, 2.0, static_cast<std::uint64_t>(seed), noise);
+    const GridField field = grid(5, 2.0, static_cast<std::uint64_t>(seed), noise);
     const Neighbours neighbours = find_neighbours(field.point, 2.0, 5);
     const WindowFit fit = fit_window(field.point, neighbours, 12, field.valid, field.u, 0.5);
     const double angle = shear_angle(fit.gradient, diagonal);

@@ -15,7 +15,7 @@
 namespace weaveform {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double radius = 75.0;  // mm
 
 Scene bowl_scene() {

@@ -12,7 +12,7 @@
 namespace weaveform {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A fabric on a plate with wrinkles across the warp, z = a (1 + sin(2 pi x/l + phase)).
 struct Wrinkled {

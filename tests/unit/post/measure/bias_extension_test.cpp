@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "post/measure/zones.hpp"
 #include "tests/unit/post/measure/ideal_bias.hpp"
 
 namespace weaveform {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 const std::vector<std::array<double, 2>> sizes = {
     {100.0, 140.0}, {115.0, 230.0}, {100.0, 320.0}};  // mm; L/W 1.4, 2, 3.2
 
@@ -58,9 +58,9 @@ TEST(BiasExtension, KinematicAngleAgreesWithTheMotionItComesFrom) {
     Mesh ends;
     ends.nodes.position = {{0.0, -size[1] / 2.0, 0.0}, {0.0, size[1] / 2.0, 0.0}};
     for (const double degrees : {-10.0, 5.0, 30.0, 60.0, 85.0}) {
-      const std::vector<Vec3> moved = test::ideal_positions(ends, specimen, degrees * radians_per_degree);
+      const std::vector<Vec3> moved = test::ideal_positions(ends, specimen, degrees * degree);
       const double travel = moved[1][1] - moved[0][1] - size[1];
-      EXPECT_NEAR(kinematic_shear_angle(specimen, travel), degrees * radians_per_degree, 1e-12);
+      EXPECT_NEAR(kinematic_shear_angle(specimen, travel), degrees * degree, 1e-12);
     }
   }
 }
@@ -140,7 +140,7 @@ TEST(Zones, IdealMotionShearsEachZoneByItsOwnAngle) {
     const Scene scene = test::bias_scene(size[0], size[1]);
     const BiasSpecimen specimen = *find_bias_extension(scene);
     const Mesh mesh = test::bias_lattice(size[0], size[1], 4.3);
-    const double angle = 40.0 * radians_per_degree;
+    const double angle = 40.0 * degree;
     const Fields fields =
         compute_fields(mesh, test::small_card(), {}, 0.0, test::ideal_positions(mesh, specimen, angle));
     const auto by_zone = angles_by_zone(mesh.cells, zones_of_cells(mesh, scene.blank, specimen), fields.shear_angle);
@@ -160,7 +160,7 @@ TEST(Zones, FollowTheBlankWhenItIsTurnedAndShifted) {
   const std::vector<Zone> straight = zones_of_cells(mesh, scene.blank, specimen);
   scene.blank.orientation = 30.0;
   scene.blank.position = {50.0, -20.0, 7.0};
-  const double c = std::cos(30.0 * radians_per_degree), s = std::sin(30.0 * radians_per_degree);
+  const double c = std::cos(30.0 * degree), s = std::sin(30.0 * degree);
   for (Vec3& x : mesh.nodes.position) x = {c * x[0] - s * x[1] + 50.0, s * x[0] + c * x[1] - 20.0, 7.0};
   EXPECT_EQ(zones_of_cells(mesh, scene.blank, specimen), straight);
 }

@@ -4,15 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "fabric/trellis/shear_frame.hpp"
 
 namespace weaveform {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 class FrameComparisonTest : public testing::Test {
 protected:

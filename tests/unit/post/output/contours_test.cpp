@@ -4,17 +4,15 @@
 
 #include <cmath>
 #include <fstream>
-#include <numbers>
 #include <set>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/solver/lattice/trellis.hpp"
 
 namespace weaveform {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 // Angle growing along x by 1 deg per mm from -20 deg at x = 0, on cells of 2 mm.
 struct Ramp {
@@ -23,7 +21,7 @@ struct Ramp {
   Ramp() {
     fields.position = mesh.nodes.position;
     for (int cell = 0; cell < mesh.cells.size(); ++cell)
-      fields.shear_angle.push_back((2.0 * mesh.cells.lattice[cell][0] + 1.0 - 20.0) * radians_per_degree);
+      fields.shear_angle.push_back((2.0 * mesh.cells.lattice[cell][0] + 1.0 - 20.0) * degree);
   }
 };
 
@@ -63,7 +61,7 @@ TEST(Contours, HillHasOneClosedLinePerLevel) {
   fields.position = mesh.nodes.position;
   for (int cell = 0; cell < mesh.cells.size(); ++cell) {
     const double x = 2.0 * mesh.cells.lattice[cell][0] - 40.0, y = 2.0 * mesh.cells.lattice[cell][1] - 40.0;
-    fields.shear_angle.push_back((40.3 - std::hypot(x, y)) * radians_per_degree);
+    fields.shear_angle.push_back((40.3 - std::hypot(x, y)) * degree);
   }
   const std::vector<Isoline> isolines = shear_angle_isolines(mesh, fields, 10.0);
   std::vector<const Isoline*> raised;

@@ -5,16 +5,14 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/post/measure/ideal_bias.hpp"
 
 namespace weaveform {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 // History of an ideal bias extension pulled at both ends, `upper` by 2/3 of the travel.
 History ideal_history(double travel, int rows) {
@@ -77,7 +75,7 @@ TEST(Summary, RowsOverTheTravelRiseToTheEnd) {
     EXPECT_NEAR(bias.row[r].travel, 5.0 * static_cast<double>(r + 1), 30.0 / 200.0);  // nearest history row
   EXPECT_DOUBLE_EQ(bias.row.back().travel, 30.0);
   EXPECT_DOUBLE_EQ(bias.row.back().load[1], 9.0);
-  EXPECT_NEAR(bias.row.back().measured_angle.at(0), 30.0 * radians_per_degree, 1e-14);
+  EXPECT_NEAR(bias.row.back().measured_angle.at(0), 30.0 * degree, 1e-14);
 }
 
 TEST(Summary, GripMovingInwardsCountsAgainstTheTravelAndItsForceTurns) {

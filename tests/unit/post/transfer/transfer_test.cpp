@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/vector/angle.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/transfer/fibre_field.hpp"
@@ -22,7 +23,6 @@ namespace {
 
 using Eigen::Vector3d;
 constexpr double radius = 200.0;  // mm; the blank's corners reach 81 deg from the top
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 Vector3d on_sphere(double u, double v) {
   const double rho = std::hypot(u, v), a = rho / radius;
@@ -94,8 +94,10 @@ double greatest_error(const FibreField& mapped) {
     const auto [u, v] = place_under(centre);
     const auto exact = derivatives(u, v);
     const Vec3 warp = {exact[0].x(), exact[0].y(), exact[0].z()}, weft = {exact[1].x(), exact[1].y(), exact[1].z()};
-    worst = std::max(worst, std::abs(angle_in_plane(mapped, element, warp, element.state.warp).angle) * degrees);
-    worst = std::max(worst, std::abs(angle_in_plane(mapped, element, weft, element.state.weft).angle) * degrees);
+    worst =
+        std::max(worst, std::abs(angle_in_plane(mapped, element, warp, element.state.warp).angle) * degrees_per_radian);
+    worst =
+        std::max(worst, std::abs(angle_in_plane(mapped, element, weft, element.state.weft).angle) * degrees_per_radian);
   }
   return worst;
 }
@@ -197,7 +199,7 @@ TEST(MapOnto, AnswersInTheAxesOfAPartThatWasPlaced) {
   }
   Onto onto;
   onto.axis = {1.0, 2.0, 3.0};
-  onto.angle = 0.7 * degrees;
+  onto.angle = 0.7 * degrees_per_radian;
   onto.position = {300.0, -50.0, 20.0};
   try {
     (void)map_onto(fabric, moved, onto);
@@ -254,7 +256,7 @@ TEST(FibreFiles, CalculixGroupsHoldTheirShellsDirections) {
     for (const auto& element : field.element) {
       const auto& [a, b] = axes.at(group_of.at(element.number));
       const Vector3d warp(element.state.warp[0], element.state.warp[1], element.state.warp[2]);
-      EXPECT_LE(std::acos(std::min(1.0, a.dot(warp))) * degrees, std::max(angle, 1e-5));
+      EXPECT_LE(std::acos(std::min(1.0, a.dot(warp))) * degrees_per_radian, std::max(angle, 1e-5));
       EXPECT_NEAR(a.dot(b), 0.0, 1e-12);
     }
     groups.push_back(axes.size());
@@ -336,7 +338,7 @@ TEST(FibreFiles, DrapeHoldsThinningAndAngle) {
     EXPECT_EQ(std::stol(line.substr(10, 10)), element.number);
     EXPECT_NEAR(std::stod(line.substr(20, 20)), element.state.thickness / field.flat_thickness, 1e-12);
     // Turning the projected reference by the angle about the normal gives the yarn.
-    const double angle = std::stod(line.substr(40, 20)) / degrees;
+    const double angle = std::stod(line.substr(40, 20)) / degrees_per_radian;
     const auto x = [&](std::size_t k) {
       const Vec3& p = field.position[element.node[k]];
       return Vector3d(p[0], p[1], p[2]);

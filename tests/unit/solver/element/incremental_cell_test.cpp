@@ -8,10 +8,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <tuple>
 #include <vector>
 
+#include "core/vector/angle.hpp"
 #include "solver/element/kernel_law.hpp"
 #include "tests/support/fabric_patch.hpp"
 
@@ -24,7 +24,6 @@ using test::FabricPatch;
 using Directions = std::array<Vector3d, 2>;  // g1, g2
 using Path = std::function<Directions(double)>;
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double volume = 12.0;  // mm^3
 
 KernelShear<PaperShearLaw> plain_weave() {

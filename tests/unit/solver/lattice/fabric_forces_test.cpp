@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/vector/angle.hpp"
 #include "solver/element/vector_log.hpp"
 #include "tests/support/fabric_patch.hpp"
 
@@ -15,9 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using test::FabricPatch;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
-struct Variant {
+struct ForcesVariant {
   const char* material;
   double yarn_angle;
   Formulation formulation;
@@ -25,12 +24,12 @@ struct Variant {
   Section section;
 };
 
-std::ostream& operator<<(std::ostream& stream, const Variant& v) {
+std::ostream& operator<<(std::ostream& stream, const ForcesVariant& v) {
   return stream << v.material << ' ' << v.yarn_angle << ' ' << name_of(v.formulation) << ' ' << name_of(v.thickness)
                 << ' ' << name_of(v.section);
 }
 
-class FabricVariants : public testing::TestWithParam<Variant> {
+class FabricVariants : public testing::TestWithParam<ForcesVariant> {
 protected:
   [[nodiscard]] static FabricPatch patch() {
     const auto& v = GetParam();
@@ -41,12 +40,13 @@ protected:
 INSTANTIATE_TEST_SUITE_P(
     All, FabricVariants,
     testing::Values(
-        Variant{"twintex-pw", 45.0, Formulation::energy, Thickness::constant_volume, Section::incompressible},
-        Variant{"twintex-pw", 17.0, Formulation::energy, Thickness::constant, Section::constant},
-        Variant{"twintex-tw", 0.0, Formulation::energy, Thickness::constant_volume, Section::constant},
-        Variant{"twintex-tw", 71.0, Formulation::energy, Thickness::constant, Section::incompressible},
-        Variant{"twintex-pw", 30.0, Formulation::contravariant, Thickness::constant_volume, Section::incompressible},
-        Variant{"twintex-tw", 45.0, Formulation::contravariant, Thickness::constant, Section::constant}));
+        ForcesVariant{"twintex-pw", 45.0, Formulation::energy, Thickness::constant_volume, Section::incompressible},
+        ForcesVariant{"twintex-pw", 17.0, Formulation::energy, Thickness::constant, Section::constant},
+        ForcesVariant{"twintex-tw", 0.0, Formulation::energy, Thickness::constant_volume, Section::constant},
+        ForcesVariant{"twintex-tw", 71.0, Formulation::energy, Thickness::constant, Section::incompressible},
+        ForcesVariant{"twintex-pw", 30.0, Formulation::contravariant, Thickness::constant_volume,
+                      Section::incompressible},
+        ForcesVariant{"twintex-tw", 45.0, Formulation::contravariant, Thickness::constant, Section::constant}));
 
 // Scale of force against which rounding is judged: a yarn at 1 % strain pulls with some newtons, and the strain itself
 // carries the rounding of coordinates (1e-16 * 100 mm / 5 mm) times the compression modulus of 200 MPa times 1.25 mm^2.

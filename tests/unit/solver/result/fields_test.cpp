@@ -6,12 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector/angle.hpp"
 #include "tests/unit/solver/lattice/trellis.hpp"
 
 namespace weaveform {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 // A turn about an axis that is none of the coordinate axes, and a shift.
 std::vector<Vec3> moved_rigidly(std::vector<Vec3> position) {
@@ -34,7 +33,7 @@ Fields stretched(Mesh mesh, const ModelSpec& model, double length) {
 TEST(Fields, TrellisAngleIsExactAtAllAnglesOfBothSigns) {
   const Mesh mesh = test::lattice(5, 4, 5.0);
   for (int degrees = -89; degrees <= 89; ++degrees) {
-    const double angle = degrees * radians_per_degree;
+    const double angle = degrees * degree;
     const Fields fields = compute_fields(mesh, test::small_card(), {}, 0.0, moved_rigidly(test::trellis(mesh, angle)));
     // Positions near 100 mm carry 1e-14 mm of rounding; over a cell of 5 mm that is some 1e-14 rad.
     for (const double found : fields.shear_angle) EXPECT_NEAR(found, angle, 1e-13) << degrees << " deg";
@@ -133,8 +132,7 @@ TEST(FoldedCells, SheetBentBackOnItselfIsNotFolded) {
 
 TEST(FoldedCells, PlanarBlankShearedPast90DegIsFoldedAltogether) {
   const Mesh mesh = test::lattice(4, 4, 5.0);
-  const std::vector<bool> folded =
-      folded_cells(mesh, blank_plane(mesh), test::trellis(mesh, 91.0 * radians_per_degree));
+  const std::vector<bool> folded = folded_cells(mesh, blank_plane(mesh), test::trellis(mesh, 91.0 * degree));
   EXPECT_EQ(std::count(folded.begin(), folded.end(), true), mesh.cells.size());
 }
 
