@@ -2,7 +2,7 @@
 # half of the rest optimising what runs once.
 
 # weaveform_runs_once(TARGET [PATTERN]): sources that read, check, name or write, and are done before anybody has noticed,
-# are optimised less: all of the target's, or those that match, which become a target of their own, TARGET_once, as the
+# are optimised for debugging alone (-Og): all of the target's, or those that match, which become a target of their own, TARGET_once, as the
 # files of one target are compiled together only with the same options. Arithmetic keeps its bits: neither compiler
 # reorders it at any level. To be called when the target is complete.
 function(weaveform_runs_once target)
@@ -18,7 +18,7 @@ function(weaveform_runs_once target)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_once>)
     set(target ${target}_once)
   endif()
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
 endfunction()
 
 # weaveform_together(TARGET [ROOM]): the sources of a folder (with ROOM: of the target, tests by room) are compiled
