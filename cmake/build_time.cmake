@@ -2,8 +2,8 @@
 # half of the rest optimising what runs once.
 
 # weaveform_runs_once(TARGET [PATTERN]): sources that read, check, name or write, and are done before anybody has noticed,
-# are optimised for debugging alone (-Og): all of the target's, or those that match, which become a target of their own, TARGET_once, as the
-# files of one target are compiled together only with the same options. Arithmetic keeps its bits: neither compiler
+# are optimised no more than debugging allows: all of the target's, or those that match, which become a target of their
+# own, TARGET_once, as files are compiled together only with the same options. Arithmetic keeps its bits: neither compiler
 # reorders it at any level. To be called when the target is complete.
 function(weaveform_runs_once target)
   if(ARGN)
