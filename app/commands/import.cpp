@@ -62,11 +62,11 @@ void run_import(const ImportArguments& arguments) {
   log_warning(folder.trouble());
   model.scene = with_absolute_paths(model.scene);
   keep_tools(file, directory, model.scene);
-  const ResultFolder result =
-      write_model(std::move(model), directory, console_listener(arguments.quiet), imported.scene_name);
+  const std::string size = describe(model);
+  (void)write_model(std::move(model), directory, console_listener(arguments.quiet), imported.scene_name);
   if (arguments.quiet) return;
   for (const auto& note : imported.notes) log_line("import: " + note);
-  print_answer(describe(model));
+  print_answer(size);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ double kilobytes(const char* file, const std::string& name) {
 double number_in(const fs::path& file) {
   std::ifstream stream(file);
   double number = infinity;
-  return stream >> number ? number : infinity;  // "max" is no number: no limit
+  if (!(stream >> number)) return infinity;  // "max" is no number: no limit
+  return number;
 }
 
 // Version 2: one line "0::/path" names the group, whose limit and use stand in two files.

@@ -72,7 +72,7 @@ void remove_files(const fs::path& directory, const FileNames& names) {
 }
 
 FileNames below(const std::string& folder, FileNames names) {
-  for (std::string& name : names) name = folder + "/" + name;
+  for (std::string& name : names) name.insert(0, folder + "/");
   return names;
 }
 

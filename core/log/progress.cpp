@@ -17,7 +17,7 @@ constexpr int usual_columns = 80;  // of a terminal that does not tell
 constexpr int longest_bar = 30, shortest_bar = 6;
 
 std::string clock_text(double seconds) {
-  const int whole = static_cast<int>(seconds + 0.5);
+  const auto whole = std::lround(seconds);
   return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
                       : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }

@@ -112,7 +112,7 @@ toml::table* find_place(toml::table& root, const std::string& key, Complaints& c
 
 void apply_override(toml::table& root, const std::string& text, Complaints& complaints) {
   const auto equals = text.find('=');
-  const auto trimmed = [](std::string part) {
+  const auto trimmed = [](const std::string& part) {
     const auto first = part.find_first_not_of(" \t");
     if (first == std::string::npos) return std::string{};
     return part.substr(first, part.find_last_not_of(" \t") - first + 1);

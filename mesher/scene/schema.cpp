@@ -26,8 +26,8 @@ void read_one(const toml::node& node, const std::string& name, const std::vector
 
 // [name]: one table, a struct of the scene.
 template <auto member, class Spec>
-SceneTable one_table(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
-  SceneTable table{.name = name, .many = false, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+SceneTable one_table(const std::string& name, const std::vector<Key<Spec>>& keys, const std::string& doc) {
+  SceneTable table{.name = name, .many = false, .doc = doc, .keys = describe_keys(name, keys)};
   table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
     read_one(node, name, keys, scene.*member, false, complaints);
   };
@@ -37,9 +37,8 @@ SceneTable one_table(const std::string& name, const std::vector<Key<Spec>>& keys
 
 // [name.NAME]: a table of named tables, a vector of the scene in the order of the names.
 template <auto member, class Spec>
-SceneTable named_tables(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
-  SceneTable table{
-      .name = name, .many = false, .named = true, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+SceneTable named_tables(const std::string& name, const std::vector<Key<Spec>>& keys, const std::string& doc) {
+  SceneTable table{.name = name, .many = false, .named = true, .doc = doc, .keys = describe_keys(name, keys)};
   table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
     const auto* group = node.as_table();
     if (group == nullptr) return complain_named(node, name, complaints);
@@ -68,8 +67,8 @@ SceneTable named_tables(const std::string& name, const std::vector<Key<Spec>>& k
 
 // [name] that a scene may do without.
 template <auto member, class Spec>
-SceneTable optional_table(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
-  SceneTable table{.name = name, .many = false, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+SceneTable optional_table(const std::string& name, const std::vector<Key<Spec>>& keys, const std::string& doc) {
+  SceneTable table{.name = name, .many = false, .doc = doc, .keys = describe_keys(name, keys)};
   table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
     read_one(node, name, keys, (scene.*member).emplace(), false, complaints);
   };
@@ -82,8 +81,8 @@ SceneTable optional_table(const std::string& name, const std::vector<Key<Spec>>&
 // [[name]]: a list of tables, a vector of the scene. An element that cannot be read keeps its place, so that the n-th
 // element is the n-th table of the file.
 template <auto member, class Spec>
-SceneTable many_tables(const std::string& name, const std::vector<Key<Spec>>& keys, std::string doc) {
-  SceneTable table{.name = name, .many = true, .doc = std::move(doc), .keys = describe_keys(name, keys)};
+SceneTable many_tables(const std::string& name, const std::vector<Key<Spec>>& keys, const std::string& doc) {
+  SceneTable table{.name = name, .many = true, .doc = doc, .keys = describe_keys(name, keys)};
   table.read = [name, &keys](const toml::node& node, Scene& scene, Complaints& complaints) {
     const auto* list = node.as_array();
     if (list == nullptr) return complain_form(node, name, true, complaints);

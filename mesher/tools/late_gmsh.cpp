@@ -178,7 +178,7 @@ void removeSizeCallback() {
 void setSizeCallback(std::function<double(int, int, double, double, double)> a) {
   static const Late<std::function<double(int, int, double, double, double)>> late(
       "_ZN4gmsh5model4mesh15setSizeCallbackESt8functionIFdiidddEE");
-  late(a);
+  late(std::move(a));
 }
 
 }  // namespace gmsh::model::mesh

@@ -29,9 +29,10 @@ struct Group {
   double thickness = 0.0;                                     // mm; mean
 };
 
-std::vector<Group> mean_groups(std::map<std::array<long, 7>, Group> sorted) {
+std::vector<Group> mean_groups(const std::map<std::array<long, 7>, Group>& sorted) {
   std::vector<Group> groups;
-  for (auto& [key, group] : sorted) {
+  for (const auto& [key, of_key] : sorted) {
+    Group group = of_key;
     const auto count = static_cast<double>(group.element.size());
     for (const StateElement* element : group.element) {
       group.warp += vector_of(element->state.warp) / count;

@@ -62,7 +62,8 @@ FrameMechanism::Place FrameMechanism::on_member(const std::array<Place, 4>& corn
 std::vector<Grip> make_frame_grips(const FrameSpec& frame, const Mesh& mesh, const PackedMesh& packed) {
   const auto& corner = mesh.frame.corner;
   const FrameMechanism mechanism = mechanism_of(frame, mesh);
-  const auto grip_at = [&](const std::string& name, std::vector<int> nodes, const Vec3& direction, double travel) {
+  const auto grip_at = [&](const std::string& name, const std::vector<int>& nodes, const Vec3& direction,
+                           double travel) {
     Grip grip;
     grip.name = name;
     grip.direction = direction;

@@ -160,7 +160,7 @@ struct FrameWriter::Grid {
     for (int k = 0; k < 3; ++k) array.SetTypedComponent(element, k, static_cast<float>(d[k]));
   }
 
-  void fill_directions(const Mesh& mesh, const Fields& fields) {
+  void fill_directions(const Mesh& mesh, const Fields& fields) const {
     for (int yarn = 0; yarn < mesh.yarn_count(); ++yarn) {
       const Vec3 &a = fields.position[mesh.yarns.node[yarn][0]], &b = fields.position[mesh.yarns.node[yarn][1]];
       const Vec3 along = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 using weaveform::Mesh;
 using weaveform::test::CommandResult;
 using weaveform::test::read_text;
+using weaveform::test::says;
 using weaveform::test::write_text;
 
 class Export : public weaveform::test::CommandFolder {
@@ -181,8 +182,10 @@ TEST_F(Export, EveryVersionThatGmshWritesComesIn) {
   const Mesh mesh = weaveform::read_mesh(file("made") / "mesh.vtu");
   for (const std::string form : {"msh22", "msh22 -bin", "msh41", "msh41 -bin"}) {
     must("gmsh -0 mesh.msh -format " + form + " -o other.msh");
-    must("weaveform import other.msh --scene tiny.toml --output back --quiet");
+    const CommandResult told = run("weaveform import other.msh --scene tiny.toml --output back");
+    ASSERT_EQ(told.exit_code, 0) << told.err;
     const Mesh back = weaveform::read_mesh(file("back") / "mesh.vtu");
+    EXPECT_TRUE(says(told.out, "mesh: " + std::to_string(mesh.cells.size()) + " cells")) << told.out;
     EXPECT_EQ(back.cells.size(), mesh.cells.size()) << form;
     EXPECT_EQ(back.yarn_count(), mesh.yarn_count()) << form;
     EXPECT_EQ(back.sets.size(), mesh.sets.size()) << form;

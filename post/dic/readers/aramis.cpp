@@ -13,7 +13,7 @@ struct HeaderValue {
   std::string key, kind, value;  // "displacement", "value_element", "-9.18"; kind is "" for "key : value"
 };
 
-std::string without_blanks_around(std::string text) {
+std::string without_blanks_around(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r#"), last = text.find_last_not_of(" \t\r");
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }

@@ -100,7 +100,7 @@ void check(const Settings& settings, const toml::table& root, Complaints& compla
   if (const auto& window = settings.instrument.window; window && std::fmod(*window, 2.0) != 1.0)
     complaints.add(place_of(root, "instrument", "window"),
                    fmt::format("'window' is {}; it must be an odd whole number of points", *window));
-  if (settings.stages.match == MatchBy::force && settings.stages.displacement.size() > 0)
+  if (settings.stages.match == MatchBy::force && !settings.stages.displacement.empty())
     complaints.add(place_of(root, "stages", "displacement"),
                    "'displacement' is not used with match = \"force\"; remove one of them");
   if (settings.virtual_dic.delimiter.size() != 1)

@@ -22,7 +22,7 @@ struct FacetPoint {
 template <class Field>
 [[nodiscard]] auto facet_mean(const Field& field, const Vec2& centre, const std::vector<FacetPoint>& facet) {
   auto sum = field(centre);
-  sum = sum - sum;
+  sum = 0.0 * sum;
   for (const auto& [offset, weight] : facet)
     sum = sum + weight * field(Vec2{centre[0] + offset[0], centre[1] + offset[1]});
   return sum;

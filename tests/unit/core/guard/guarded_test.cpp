@@ -38,7 +38,7 @@ std::string complaint_of(const Guard& guard, const std::function<std::string()>&
 }
 
 TEST(Guarded, ALargeResultComesBackByteForByte) {
-  std::string bytes(50000000, '\0');
+  std::string bytes(50000000, '\0');  // NOLINT(bugprone-string-constructor): large is meant
   for (std::size_t k = 0; k < bytes.size(); ++k) bytes[k] = static_cast<char>(k * 2654435761U >> 13);
   EXPECT_TRUE(run_guarded(quick(), [&] { return bytes; }) == bytes);
   EXPECT_EQ(run_guarded(quick(), [] { return std::string(); }), "");

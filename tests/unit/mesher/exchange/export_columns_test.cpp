@@ -137,9 +137,7 @@ ReadBack read_lsdyna(const std::string& text) {
       section_of[whole(lines.at(1), 0, 10)] = whole(lines.at(1), 10, 10);
     } else if (block.keyword == "*SECTION_SEATBELT") {
       area[whole(lines.at(0), 0, 10)] = field(lines.at(0), 10, 10);
-    } else if (block.keyword == "*SET_NODE_LIST_TITLE") {
-      read.set[lines.at(0)] = numbers_of(lines, 2);
-    } else if (block.keyword == "*SET_DISCRETE_TITLE") {
+    } else if (block.keyword == "*SET_NODE_LIST_TITLE" || block.keyword == "*SET_DISCRETE_TITLE") {
       read.set[lines.at(0)] = numbers_of(lines, 2);
     }
   }

@@ -35,7 +35,7 @@ constexpr Encoding encodings[] = {Encoding::ascii, Encoding::base64, Encoding::c
 void write_foreign(const fs::path& file, Encoding encoding) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (int k = 0; k < 6; ++k) points->InsertNextPoint(k % 3 / 3.0, k / 3, 0.0);
+  for (int k = 0; k < 6; ++k) points->InsertNextPoint(k % 3 / 3.0, k < 3 ? 0.0 : 1.0, 0.0);
   points->InsertNextPoint(0.5, 2.0, 0.0);
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);

@@ -206,7 +206,7 @@ TEST_P(IncrementalPatch, HomogeneousMotionLeavesTheInsideInBalance) {
   FabricPatch patch("twintex-tw", yarn_angle, {40.0, 50.0}, formulation, thickness);
   FabricForces fabric(patch.packed, patch.card, patch.laws, patch.scene.model, patch.state, alone());
   const auto yarns = patch.yarn_directions();
-  const Vector3d warp = yarns[0], weft = yarns[1];
+  const Vector3d &warp = yarns[0], &weft = yarns[1];
   for (int n = 1; n <= 40; ++n) {
     const double gamma = n * degree, spin = 0.8 * n * degree;
     const Matrix3d turn = Eigen::AngleAxisd(spin, Vector3d(0.3, 0.2, 1.0).normalized()).toRotationMatrix();
