@@ -16,7 +16,10 @@ prepare_folder() {
 }
 
 clean_up() {
-  mountpoint -q "$folder/proc" && umount "$folder/proc"
+  local mounted
+  for mounted in dev/pts proc; do
+    if mountpoint -q "$folder/$mounted"; then umount "$folder/$mounted"; fi
+  done
   [[ $keep == yes ]] || rm -rf --one-file-system "$folder"
 }
 
@@ -48,6 +51,9 @@ bare_debian() {
   debootstrap --variant=minbase bookworm "$folder" "$(mirror)" >/dev/null
   copy_network_settings
   mount -t proc proc "$folder/proc"
+  # terminals, which some tests open
+  mount -t devpts -o newinstance,ptmxmode=0666 devpts "$folder/dev/pts"
+  ln -sf pts/ptmx "$folder/dev/ptmx"
 }
 
 # timed NAME COMMAND...: runs it and says what came out and how long it took.
