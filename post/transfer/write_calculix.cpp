@@ -61,7 +61,7 @@ std::vector<Group> groups_of(const FibreField& field, double group_angle) {
     key[6] = std::lround(std::log(element.state.thickness) / thickness_step);
     sorted[key].element.push_back(&element);
   }
-  return mean_groups(std::move(sorted));
+  return mean_groups(sorted);
 }
 
 double greatest_deviation(const std::vector<Group>& groups) {
