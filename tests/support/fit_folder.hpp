@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -15,25 +14,13 @@
 
 #include "core/error.hpp"
 #include "fabric/identify/identify.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform::test {
 
 class FitFolder {
 public:
-  FitFolder() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(testing::TempDir()) /
-            fmt::format("weaveform_fit_{}_{}_{}", info->test_suite_name(), info->name(), getpid());
-    std::filesystem::create_directories(path_);
-  }
-  ~FitFolder() {
-    std::error_code unimportant;
-    std::filesystem::remove_all(path_, unimportant);
-  }
-  FitFolder(const FitFolder&) = delete;
-  FitFolder& operator=(const FitFolder&) = delete;
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_.path() / name) << text; }
   // Two columns "x,y" under a heading.
   void write_curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y) const {
     std::string text = "x,y\n";
@@ -42,7 +29,7 @@ public:
   }
   // The fit file's text, with paths beside it, to its answer.
   [[nodiscard]] identify::Identification identify(const std::string& fit_text) const {
-    return identify::identify(identify::read_fit_text(fit_text, (path_ / "fit.toml").string()));
+    return identify::identify(identify::read_fit_text(fit_text, (folder_.path() / "fit.toml").string()));
   }
   // What it complains about, lines joined; "" when it does not.
   [[nodiscard]] std::string complaint(const std::string& fit_text) const {
@@ -53,10 +40,10 @@ public:
     }
     return "";
   }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
 private:
-  std::filesystem::path path_;
+  TemporaryFolder folder_;
 };
 
 inline std::vector<double> evenly(double from, double to, int count) {

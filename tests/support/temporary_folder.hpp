@@ -31,6 +31,12 @@ private:
   std::filesystem::path path_;
 };
 
+// A place for a file of this process alone, removed when it ends: every test is a process, and several run at a time.
+[[nodiscard]] inline std::filesystem::path scratch_file(const std::string& name) {
+  static const TemporaryFolder folder;
+  return folder.path() / name;
+}
+
 // While it lives no file of this process grows past `bytes`, so that writing fails midway as on a full disk.
 class FullDisk {
 public:

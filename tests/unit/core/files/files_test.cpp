@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
 namespace {
@@ -21,18 +22,13 @@ namespace fs = std::filesystem;
 
 class WholeFiles : public testing::Test {
 protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "weaveform_files_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
     return names;
   }
-  fs::path folder_;
+  const test::TemporaryFolder own_;
+  const fs::path folder_ = own_.path();
 };
 
 // A process of its own that ends with 0 when `work` says that all was well.

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/vector/angle.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
 namespace {
@@ -277,12 +278,10 @@ TEST(LoadCard, UnknownNameSuggestsABuiltinOne) {
 }
 
 TEST(LoadCard, RelativePathIsLookedUpBesideTheScene) {
-  const auto folder = std::filesystem::temp_directory_path() / "weaveform-card-test";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "mine.toml") << card_text();
+  const std::filesystem::path mine = test::scratch_file("mine.toml"), folder = mine.parent_path();
+  std::ofstream(mine) << card_text();
   EXPECT_EQ(load_card("mine.toml", folder / "scene.toml").name, "test");
   EXPECT_EQ(load_card("mine.toml", folder).name, "test");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Shear, StressIsOddAndTangentIsItsDerivative) {

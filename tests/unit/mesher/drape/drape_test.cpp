@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
 namespace {
@@ -92,7 +92,7 @@ TEST(Drape, AMeshThatStartsDrapedKeepsItsFlatPlacesThroughTheFile) {
   EXPECT_EQ(mesh.yarns.rest_length, flat.yarns.rest_length);
   EXPECT_EQ(mesh.cells.area, flat.cells.area);
   EXPECT_TRUE(flat.nodes.flat_position.empty());
-  const fs::path file = fs::temp_directory_path() / fmt::format("weaveform_drape_{}.vtu", getpid());
+  const fs::path file = test::scratch_file("drape.vtu");
   write_mesh(mesh, file);
   const Mesh back = read_mesh(file);
   fs::remove(file);
@@ -265,7 +265,7 @@ TEST(Drape, CutCellsOnACylinderAndAConeAreUnsheared) {
 // A dome of triangles, 75 mm in radius.
 TEST(Drape, CutCellsOnATriangulatedSphereHaveTheExactNetsAngle) {
   constexpr double deg = std::numbers::pi / 180.0, radius = 75.0;
-  const fs::path file = fs::temp_directory_path() / fmt::format("weaveform_dome_{}.stl", getpid());
+  const fs::path file = test::scratch_file("dome.stl");
   {
     std::ofstream out(file);
     out.precision(17);
@@ -326,7 +326,7 @@ TEST(Drape, FoldsAreCountedByPlaceAndNoStartForASolve) {
 // STL text of a plate in z = 0 with an optional square hole, two triangles a square of 10 mm.
 fs::path plate(double half, double hole, double unit = 1.0, bool flipped = false) {
   static int number = 0;
-  const fs::path file = fs::temp_directory_path() / fmt::format("weaveform_plate_{}_{}.stl", getpid(), number++);
+  const fs::path file = test::scratch_file(fmt::format("plate_{}.stl", number++));
   std::ofstream out(file);
   out.precision(17);
   out << "solid plate\n";

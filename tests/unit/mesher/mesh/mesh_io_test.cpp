@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "tests/support/same_mesh.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/mesher/lattice/lattice_zoo.hpp"
 
 namespace weaveform {
@@ -22,17 +23,11 @@ namespace fs = std::filesystem;
 
 class MeshFile : public ::testing::Test {
 protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("weaveform_mesh_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
   }
-  fs::path folder_;
+  const test::TemporaryFolder own_;
+  const fs::path folder_ = own_.path();
 };
 
 Mesh sample() {

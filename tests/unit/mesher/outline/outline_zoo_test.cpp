@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/vector/vector.hpp"
 #include "mesher/outline/loops.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/mesher/lattice/lattice_zoo.hpp"
 
 namespace weaveform {
@@ -36,7 +37,7 @@ Scene shaped(BlankShape shape, std::array<double, 2> size = {115.0, 230.0}) {
 
 // A rectangle 180 x 120 with a notch 20 wide and 30 deep in its lower side, and a round-ish and a square hole.
 fs::path notched_file() {
-  const fs::path file = fs::temp_directory_path() / "weaveform_notched_outline.csv";
+  const fs::path file = test::scratch_file("notched_outline.csv");
   std::ofstream out(file);
   out << "x_mm,y_mm\n# outer\n-90,-60\n-10,-60\n-10,-30\n10,-30\n10,-60\n90,-60\n90,60\n-90,60\n-90,-60\n\n"
          "# hole, the same way around as the outer "
@@ -188,7 +189,7 @@ TEST(OutlineZoo, BlanksOfOneRollShareTheirYarns) {
 }
 
 std::string outline_script(const std::string& text) {
-  const fs::path file = fs::temp_directory_path() / "weaveform_outline.geo";
+  const fs::path file = test::scratch_file("outline.geo");
   std::ofstream(file) << text;
   return file.string();
 }
@@ -228,7 +229,7 @@ TEST(OutlineCad, OpenAndTiltedCurvesAreNamedByPlace) {
 }
 
 std::string complaint_about(const std::string& text) {
-  const fs::path file = fs::temp_directory_path() / "weaveform_bad_outline.csv";
+  const fs::path file = test::scratch_file("bad_outline.csv");
   std::ofstream(file) << text;
   std::vector<std::string> complaints;
   auto loops = read_outline_csv(file.string(), complaints);
@@ -238,7 +239,7 @@ std::string complaint_about(const std::string& text) {
 
 // A file that is no outline is one error, however long it is.
 TEST(OutlineFile, AFileOfAnotherKindIsOneError) {
-  const fs::path file = fs::temp_directory_path() / "weaveform_no_outline.csv";
+  const fs::path file = test::scratch_file("no_outline.csv");
   const auto complaints_about = [&](const std::string& text) {
     std::ofstream(file) << text;
     std::vector<std::string> complaints;

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "mesher/scene/reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
 namespace {
@@ -194,14 +195,14 @@ TEST(ScenePath, RelativeCardBecomesAbsoluteBesideTheScene) {
 }
 
 TEST(SceneFile, IsReadFromDiskAndRemembered) {
-  const fs::path file = fs::temp_directory_path() / "weaveform-scene-test.toml";
+  const fs::path file = test::scratch_file("scene.toml");
   std::ofstream(file) << two_grips;
   const Scene scene = read_scene(file);
   EXPECT_EQ(scene.file, file.string());
   EXPECT_EQ(scene.grip.size(), 2U);
   fs::remove(file);
   EXPECT_THROW((void)read_scene(file), FileError);
-  EXPECT_THROW((void)read_scene(fs::temp_directory_path()), FileError);
+  EXPECT_THROW((void)read_scene(file.parent_path()), FileError);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "mesher/scene/reader.hpp"
 #include "mesher/symmetry/cut_part.hpp"
 #include "tests/support/contact_scene.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/mesher/lattice/lattice_zoo.hpp"
 
 namespace weaveform {
@@ -37,7 +38,7 @@ TEST(Symmetry, DeepDrawingOfASquareBlankIsAQuarter) {
 }
 
 std::string write_tetrahedron() {
-  const std::string file = testing::TempDir() + "weaveform_symmetry_tetrahedron.stl";
+  const std::string file = test::scratch_file("tetrahedron.stl").string();
   std::ofstream out(file);
   const std::array<std::array<int, 3>, 4> facets = {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   const std::array<const char*, 4> corners = {"0 0 10", "9 0 10", "0 9 10", "0 0 19"};

@@ -1,7 +1,6 @@
 // Tools from CAD and what is said about surfaces of triangles.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include "mesher/tools/triangle_report.hpp"
 #include "tests/support/mutations.hpp"
 #include "tests/support/run_command.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
 namespace {
@@ -28,7 +28,7 @@ class TemporaryFile {
 public:
   explicit TemporaryFile(const std::string& ending, const std::string& text = "") {
     static int number = 0;
-    path_ = fs::temp_directory_path() / fmt::format("weaveform_cad_{}_{}{}", getpid(), number++, ending);
+    path_ = test::scratch_file(fmt::format("cad_{}{}", number++, ending));
     if (!text.empty()) std::ofstream(path_) << text;
   }
   ~TemporaryFile() { fs::remove(path_); }
