@@ -21,10 +21,11 @@ function(weaveform_runs_once target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
 endfunction()
 
-# weaveform_together(TARGET [ROOM]): the sources of a folder (with ROOM: of the target, tests by room) are compiled
-# together, at most eight at a time: headers are read once, and what each file makes of the same templates (argument
-# parsing, JSON, formatting) is compiled once. The price: names of their anonymous namespaces must differ, and who changes
-# one file compiles its neighbours. -DWEAVEFORM_TOGETHER=OFF compiles each file alone.
+# weaveform_together(TARGET [APART]): the sources of a target are compiled together, at most eight at a time, in their
+# order; those in whose path the regular expression APART matches something else, apart. Headers are read once, and what
+# each file makes of the same templates (argument parsing, JSON, formatting) is compiled once. The price: names of their
+# anonymous namespaces must differ, and who changes one file compiles its neighbours. -DWEAVEFORM_TOGETHER=OFF compiles
+# each file alone.
 function(weaveform_together target)
   if(NOT WEAVEFORM_TOGETHER)
     return()
@@ -34,14 +35,15 @@ function(weaveform_together target)
     if(NOT source MATCHES "\\.cpp$" OR IS_ABSOLUTE ${source})
       continue()
     endif()
-    get_filename_component(folder ${source} DIRECTORY)
-    if("${ARGN}" STREQUAL ROOM)
-      string(REGEX MATCH "^unit/[^/]*" folder "${folder}")
+    set(group "")
+    if(ARGN)
+      string(REGEX MATCH "${ARGN}" group "${source}")
     endif()
-    string(MAKE_C_IDENTIFIER "in_${folder}" folder)
-    math(EXPR so_far_${folder} "0${so_far_${folder}} + 1")
-    math(EXPR batch "(${so_far_${folder}} - 1) / 8")
-    set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder}_${batch})
+    string(MAKE_C_IDENTIFIER "in_${group}" group)
+    list(LENGTH sources_${group} count)
+    list(APPEND sources_${group} ${source})
+    math(EXPR batch "${count} / 8")
+    set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${group}_${batch})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

@@ -36,11 +36,8 @@ std::vector<double> factors(const Scene& scene, double finest) {
     const auto& c = scene.blank.coarsening;
     return std::max(c[0], c[1]) * factor <= greatest_coarsening && std::min(c[0], c[1]) * factor >= least_coarsening;
   };
-  double factor = coarsest;
-  while (factor >= finest * (1.0 - 1e-9)) {
+  for (double factor = coarsest; factor >= finest * (1.0 - 1e-9); factor *= 0.5)
     if (allowed(factor)) list.push_back(factor);
-    factor *= 0.5;
-  }
   return list;
 }
 

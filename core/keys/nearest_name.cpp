@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/files/text_words.hpp"
 
@@ -27,8 +26,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row[b.size()];
 }
-
-namespace {}  // namespace
 
 std::string did_you_mean(std::string_view wrong, const std::vector<std::string>& valid) {
   if (valid.empty()) return "";

@@ -105,6 +105,7 @@ std::vector<Block> blocks_of(const std::vector<SplitLine>& lines, const RowShape
 bool names_unit(const std::string& cell) {
   if (cell.size() > 2 && (cell.front() == '(' || cell.front() == '[') && (cell.back() == ')' || cell.back() == ']'))
     return true;
+  // °C in octal: its C would be taken for a third digit of a hexadecimal number
   static const std::vector<std::string> units = {
       "s",        "sec",   "ms",        "min",    "h",      "mm",           "cm",     "m",     "um",     "\xC2\xB5m",
       "in",       "inch",  "inches",    "N",      "kN",     "cN",           "mN",     "lbf",   "kgf",    "gf",

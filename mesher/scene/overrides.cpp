@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/files/text_words.hpp"
 #include "core/keys/nearest_name.hpp"
 #include "mesher/scene/schema.hpp"
 
@@ -112,18 +112,13 @@ toml::table* find_place(toml::table& root, const std::string& key, Complaints& c
 
 void apply_override(toml::table& root, const std::string& text, Complaints& complaints) {
   const auto equals = text.find('=');
-  const auto trimmed = [](const std::string& part) {
-    const auto first = part.find_first_not_of(" \t");
-    if (first == std::string::npos) return std::string{};
-    return part.substr(first, part.find_last_not_of(" \t") - first + 1);
-  };
-  const std::string key = trimmed(text.substr(0, equals));
+  const std::string key(trimmed(std::string_view(text).substr(0, equals)));
   if (equals == std::string::npos || key.empty()) {
     return complaints.add_override(text, "write --set KEY=VALUE, for example --set blank.size=[100,200]");
   }
   toml::table* place = find_place(root, key, complaints);
   if (place == nullptr) return;
-  auto value = parse_value(key, trimmed(text.substr(equals + 1)), complaints);
+  auto value = parse_value(key, std::string(trimmed(std::string_view(text).substr(equals + 1))), complaints);
   if (!value) return;
   // Moved, not copied: a copy would forget its source.
   std::move(*value->get("value")).visit([&](auto&& node) {

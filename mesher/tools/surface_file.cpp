@@ -1,7 +1,6 @@
 #include "mesher/tools/surface_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <list>
 #include <mutex>
 

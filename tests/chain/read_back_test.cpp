@@ -1,7 +1,6 @@
 // Every kind of file that Weaveform writes, opened by meshio and by VTK's own python.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <sstream>

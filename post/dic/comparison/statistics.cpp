@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/missing.hpp"
 #include "core/vector/angle.hpp"

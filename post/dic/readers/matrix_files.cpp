@@ -1,6 +1,5 @@
 #include "post/dic/readers/matrix_files.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <map>
 #include <set>

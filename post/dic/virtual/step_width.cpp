@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "core/missing.hpp"
 
 namespace weaveform::dic {
-namespace {}  // namespace
-
 std::array<double, 2> end_angles(const std::vector<double>& angle) {
   std::vector<double> a;
   std::copy_if(angle.begin(), angle.end(), std::back_inserter(a), [](double value) { return std::isfinite(value); });
