@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "core/keys/advice.hpp"
@@ -154,7 +155,7 @@ double RigidTools::longest_step() const {
     }
     greatest = std::max(greatest, rate);
   }
-  return 2.0 / std::sqrt(greatest);
+  return greatest > 0.0 ? 2.0 / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
 }
 
 double RigidTools::friction_work() const {
