@@ -37,6 +37,9 @@ def read_vtk(path):
         raise FileError(f"{path}: no reader for '{path.suffix}'; there are {', '.join(readers)}")
     if not path.is_file():
         raise FileError(f"{path}: is not there; has the command that writes it been run, and to its end?")
+    damaged = FileError(f"{path}: is damaged, or still being written; wait, or run again")
+    if path.suffix != ".stl" and not path.read_bytes()[-64:].rstrip().endswith(b"</VTKFile>"):
+        raise damaged  # only the closing tag proves that all of a file is there
     said = []
     listen = lambda _object, _event: said.append(True)  # noqa: E731  and VTK does not write to standard error
     reader = readers[path.suffix]()
@@ -44,9 +47,8 @@ def read_vtk(path):
     reader.GetExecutive().AddObserver("ErrorEvent", listen)
     reader.SetFileName(str(path))
     reader.Update()
-    whole = path.suffix == ".stl" or path.read_bytes()[-64:].rstrip().endswith(b"</VTKFile>")
-    if said or not whole:
-        raise FileError(f"{path}: is damaged, or still being written; wait, or run again")
+    if said or reader.GetOutput().GetNumberOfPoints() == 0 and path.suffix != ".vtp":  # contours may be without lines
+        raise damaged
     return reader.GetOutput()
 
 

@@ -1,6 +1,6 @@
 """A result's tools as triangles and quads where they stand at a moment.
 
-The shapes are the program's own: it writes them, within 0.1 mm, into a deck (`weaveform export --format openradioss`),
+The shapes are the program's own: it writes them, within 0.2 mm, into a deck (`weaveform export --format openradioss`),
 from which they are read. They are moved as the program moves them: along each tool's direction by its
 `NAME.displacement_mm` of history.csv, between rows in a straight line."""
 
