@@ -11,7 +11,7 @@ from pathlib import Path
 
 from .overrides import set_arguments
 from .program import call
-from .result import Comparison, Fit, Result, Study
+from .result import Comparison, Fit, Folder, Result, Study
 
 
 def option_arguments(options):
@@ -46,6 +46,13 @@ def _call_in(folder, command, options):
     """Calls `command` with a result folder, to which it writes, and opens that."""
     control = {name: options.pop(name, None) for name in ("program", "progress")}
     return Result(folder, call([*command, folder, *option_arguments(options)], folder=folder, **control))
+
+
+def _post_into(kind, command, folder, files, overrides, target, options):
+    """Calls `post COMMAND` with a result folder and files into a folder and opens that as `kind`."""
+    control = {name: options.pop(name, None) for name in ("program", "progress")}
+    arguments = ["post", command, folder, *files, *set_arguments(overrides), f"--output={target}"]
+    return kind(target, call(arguments + option_arguments(options), folder=target, **control))
 
 
 def _folder_of(result):
@@ -103,11 +110,16 @@ def export(source, file, format, overrides=None, *, program=None, progress=False
     return Path(file)
 
 
+def virtual(result, overrides=None, *, output=None, **options):
+    """The simulation as an instrument would have measured it: a Folder of stages/, settings.toml and loads.csv."""
+    folder = _folder_of(result)
+    target = Path(output) if output is not None else folder / "virtual"
+    return _post_into(Folder, "virtual", folder, [], overrides, target, options)
+
+
 def compare(result, measurement, overrides=None, *, output=None, **options):
     """Measured point fields (files, or their folder) beside a result: a Comparison. settings=FILE: a settings file."""
     folder = _folder_of(result)
     files = measurement if isinstance(measurement, (list, tuple)) else [measurement]
     target = Path(output) if output is not None else folder / "comparison"
-    control = {name: options.pop(name, None) for name in ("program", "progress")}
-    arguments = ["post", "compare", folder, *files, *set_arguments(overrides), f"--output={target}"]
-    return Comparison(target, call(arguments + option_arguments(options), folder=target, **control))
+    return _post_into(Comparison, "compare", folder, files, overrides, target, options)

@@ -56,7 +56,9 @@ def test_exports_are_written_where_they_are_asked_for(bias, examples, tmp_path):
 
 
 def test_a_virtual_measurement_compares_with_its_own_simulation(bias, tmp_path):
-    wf.call(["post", "virtual", bias.path, f"--output={tmp_path / 'virtual'}", "--quiet"], progress=False)
-    comparison = wf.compare(bias, tmp_path / "virtual" / "stages", settings=tmp_path / "virtual" / "settings.toml",
+    virtual = wf.virtual(bias, {"instrument.facet_size": 10}, output=tmp_path / "virtual", progress=False)
+    assert virtual.table("loads.csv").units == {"displacement_mm": "mm", "force_N": "N"}
+    comparison = wf.compare(bias, virtual.path / "stages", settings=virtual.path / "settings.toml",
                             output=tmp_path / "comparison", progress=False)
-    assert comparison.stages.rows >= 1 and comparison.summary
+    assert comparison.stages.rows == len(bias.frames) - 1 and comparison.summary
+    assert np.abs(comparison.stages["all.difference_rms_deg"]).max() < 1e-6
