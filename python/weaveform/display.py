@@ -11,8 +11,10 @@ import os
 import select
 import shutil
 import subprocess
+import threading
 
 _patience_s = 30  # of starting Xvfb
+_one_at_a_time = threading.Lock()  # DISPLAY is the whole process'
 
 
 class NoDisplay(RuntimeError):
@@ -78,11 +80,7 @@ def _start_xvfb():
 
 
 @contextlib.contextmanager
-def display():
-    """While it lasts, VTK can draw off-screen. Windows must be finalised before it ends. Raises NoDisplay."""
-    if not _needs_x() or _x_answers():
-        yield
-        return
+def _display_of_our_own():
     process, name = _start_xvfb()
     before = os.environ.get("DISPLAY")
     os.environ["DISPLAY"] = name
@@ -95,3 +93,15 @@ def display():
             os.environ["DISPLAY"] = before
         process.terminate()
         process.wait()
+
+
+@contextlib.contextmanager
+def display():
+    """While it lasts, VTK can draw off-screen, for one thread at a time. Windows must be finalised before it ends. Raises
+    NoDisplay."""
+    with _one_at_a_time:
+        if not _needs_x() or _x_answers():
+            yield
+        else:
+            with _display_of_our_own():
+                yield

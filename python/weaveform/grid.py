@@ -132,6 +132,11 @@ class Grid:
         return Fields("elements", _arrays(self._grid.GetCellData()))
 
     @cached_property
+    def fields(self):
+        """All arrays by name, of points and of elements, as the file has them."""
+        return Fields("points and elements", {**self.points, **self.elements})
+
+    @cached_property
     def yarns(self):
         """Fields of the yarn elements; yarns.nodes is (yarns, 2); yarns["family"] is 1 for warp, 2 for weft."""
         return self._elements("yarns", self._shapes[0] == _line)

@@ -78,7 +78,7 @@ class Frames(Sequence):
     """The frames of a result in the order of time; frames[-1] is the last. A frame is read when it is first used."""
 
     def __init__(self, result):
-        index = result.path / "result.pvd"
+        self.path = index = result.path / "result.pvd"  # for ParaView
         try:
             sets = ElementTree.parse(index).getroot().iter("DataSet")
         except OSError as error:

@@ -9,7 +9,7 @@ import numpy as np
 
 from .errors import FileError
 
-_units = {"s": "s", "mm": "mm", "mm2": "mm²", "N": "N", "MPa": "MPa", "mJ": "mJ", "deg": "deg", "t": "t", "M": "10⁶"}
+_units = {"s": "s", "mm": "mm", "mm2": "mm²", "N": "N", "MPa": "MPa", "mJ": "mJ", "deg": "deg", "t": "t"}
 
 
 def unit_of(name):

@@ -91,9 +91,11 @@ def surfaces_of_deck(deck):
 
 def tools_at_start(folder, program=None):
     """Name -> Surface of a result's tools at time 0. Raises what the program's export raises (missing tool files...)."""
+    meshed = (Path(folder) / "mesh.vtu").exists()  # of a drape there is the scene alone
+    source = folder if meshed else Path(folder) / "scene.toml"
     with tempfile.TemporaryDirectory() as place:
         file = Path(place) / "tools_0000.rad"
-        call(["export", folder, "--format=openradioss", f"--output={file}", "--quiet"], program=program, progress=False)
+        call(["export", source, "--format=openradioss", f"--output={file}", "--quiet"], program=program, progress=False)
         return surfaces_of_deck(file.read_text("utf-8"))
 
 

@@ -1,5 +1,8 @@
 """Every array of a small run is the file's, read by another reader: meshio, which shares nothing with VTK."""
 
+import sys
+import types
+
 import numpy as np
 import pytest
 
@@ -39,6 +42,8 @@ def test_every_array_of_every_file_is_the_one_another_reader_finds(result):
         assert set(grid.info) == set(other.field_data)
         for name, values in other.field_data.items():
             assert np.array_equal(grid.info[name].ravel(), np.ravel(values)), (file, name)
+        assert all(grid.fields[name] is grid.points[name] for name in grid.points)
+        assert all(grid.fields[name] is grid.elements[name] for name in grid.elements)
         compared += len(grid.points) + len(grid.elements) + len(grid.info)
     assert compared > 50
 
@@ -107,8 +112,15 @@ def test_pyvista_objects_have_the_same_arrays(bias):
         assert np.array_equal(grid.cell_data[name], frame.elements[name]), name
 
 
+def test_pyvista_is_given_the_vtk_object_itself(bias, monkeypatch):
+    """Where PyVista is not installed: what it would be asked."""
+    given = []
+    monkeypatch.setitem(sys.modules, "pyvista", types.SimpleNamespace(wrap=lambda data: given.append(data) or "wrapped"))
+    assert bias.frames[-1].pyvista() == "wrapped" and given == [bias.frames[-1].vtk()]
+
+
 def test_without_pyvista_it_says_what_to_do(bias, monkeypatch):
-    monkeypatch.setitem(__import__("sys").modules, "pyvista", None)
+    monkeypatch.setitem(sys.modules, "pyvista", None)
     with pytest.raises(ImportError, match="pip install pyvista, or use .vtk"):
         bias.frames[-1].pyvista()
 

@@ -61,3 +61,10 @@ def test_triangles_of_cad_are_tools_too(examples, tmp_path):
     for tool in tools.values():
         assert len(tool.faces) > 0 and np.isfinite(tool.positions).all()
         assert tool.faces.max() == len(tool.positions) - 1
+
+
+def test_a_draped_blank_lies_on_its_tool(examples, tmp_path):
+    draped = wf.drape(examples / "drape_hemisphere.toml", {"blank.coarsening": 2}, output=tmp_path / "d", progress=False)
+    dome = draped.tools_at_start()["dome"]
+    distance = nearest_distance(dome, draped.drape.positions[::20])
+    assert distance.min() > 0.05 and distance.max() < 0.5  # half a thickness of 0.5 mm, facets within 0.2
