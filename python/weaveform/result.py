@@ -4,6 +4,7 @@ Everything is read when it is first asked for and then kept; open the folder ane
 added."""
 
 import json
+import weakref
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Sequence
 from functools import cached_property
@@ -75,7 +76,8 @@ class Folder:
 
 
 class Frames(Sequence):
-    """The frames of a result in the order of time; frames[-1] is the last. A frame is read when it is first used."""
+    """The frames of a result in the order of time; frames[-1] is the last. A frame is read when it is first used, and
+    kept as long as somebody holds it or no other has been asked for, so that a loop over all needs the memory of one."""
 
     def __init__(self, result):
         self.path = index = result.path / "result.pvd"  # for ParaView
@@ -85,24 +87,34 @@ class Frames(Sequence):
             raise FileError(f"{index}: cannot be read ({error.strerror}); solve the scene first") from error
         except ElementTree.ParseError as error:
             raise FileError(f"{index}: is damaged ({error}); solve again") from error
-        self._frames = [Frame(result.path / one.get("file"), float(one.get("timestep")), result) for one in sets]
+        self._result = result
+        self._listed = [(result.path / one.get("file"), float(one.get("timestep"))) for one in sets]
+        self._held = weakref.WeakValueDictionary()  # place -> Frame
+        self._last = None
 
     @property
     def times(self):
         """s; of each frame."""
         import numpy as np
 
-        return np.array([frame.time for frame in self._frames])
+        return np.array([time for _, time in self._listed])
 
     def at(self, time):
         """The frame nearest to a time (s)."""
-        return min(self._frames, key=lambda frame: abs(frame.time - time))
+        return self[min(range(len(self)), key=lambda k: abs(self._listed[k][1] - time))]
 
     def __getitem__(self, which):
-        return self._frames[which]
+        if isinstance(which, slice):
+            return [self[k] for k in range(*which.indices(len(self)))]
+        place = range(len(self))[which]
+        frame = self._held.get(place)
+        if frame is None:
+            frame = self._held[place] = Frame(*self._listed[place], self._result)
+        self._last = frame
+        return frame
 
     def __len__(self):
-        return len(self._frames)
+        return len(self._listed)
 
 
 class Result(Folder):

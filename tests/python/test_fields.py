@@ -1,5 +1,6 @@
 """Every array of a small run is the file's, read by another reader: meshio, which shares nothing with VTK."""
 
+import gc
 import sys
 import types
 
@@ -116,7 +117,8 @@ def test_pyvista_is_given_the_vtk_object_itself(bias, monkeypatch):
     """Where PyVista is not installed: what it would be asked."""
     given = []
     monkeypatch.setitem(sys.modules, "pyvista", types.SimpleNamespace(wrap=lambda data: given.append(data) or "wrapped"))
-    assert bias.frames[-1].pyvista() == "wrapped" and given == [bias.frames[-1].vtk()]
+    frame = bias.frames[-1]
+    assert frame.pyvista() == "wrapped" and given == [frame.vtk()]
 
 
 def test_without_pyvista_it_says_what_to_do(bias, monkeypatch):
@@ -134,6 +136,19 @@ def test_frames_are_in_the_order_of_time_and_agree_with_the_history(result):
     assert times[-1] == pytest.approx(result.history["time_s"][-1])
     summary = result.summary["max_shear_angle_deg"]
     assert np.abs(result.frames[-1].cells["shear_angle_deg"]).max() == pytest.approx(summary, rel=1e-9)
+
+
+def test_frames_are_let_go_and_their_arrays_live_on(bias):
+    frames = wf.open(bias.path).frames
+    angles = [frame.elements["shear_angle_deg"] for frame in frames]
+    gc.collect()
+    assert len(frames._held) == 1  # the last one asked for
+    for frame, kept in zip(frames, angles):
+        assert np.array_equal(frame.elements["shear_angle_deg"], kept)
+    first = frames[0]
+    assert frames[-1] is frames[-1] and frames[0] is first and [*frames[1:3]] == [frames[1], frames[2]]
+    with pytest.raises(IndexError):
+        frames[len(frames)]
 
 
 def test_positions_are_the_flat_blank_and_the_displacement(result):
