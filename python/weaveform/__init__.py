@@ -31,8 +31,8 @@ from .tools import Surface
 __version__ = package_version()
 
 __all__ = [
-    "Answer", "Comparison", "Defect", "FileError", "Fit", "Folder", "Frame", "Frames", "Grid", "InputError", "Interrupted",
-    "Line", "PhysicsError", "ProgramNotFound", "Result", "Study", "Surface", "Table", "WeaveformError", "call", "check",
-    "compare", "drape", "export", "find_program", "fit", "mesh", "open", "post", "program_version", "run", "solve", "study",
-    "unit_of", "virtual", "words_of",
+    "Answer", "Comparison", "Defect", "FileError", "Fit", "Folder", "Frame", "Frames", "Grid", "InputError",
+    "Interrupted", "Line", "PhysicsError", "ProgramNotFound", "Result", "Study", "Surface", "Table",
+    "WeaveformError", "call", "check", "compare", "drape", "export", "find_program", "fit", "mesh", "open", "post",
+    "program_version", "run", "solve", "study", "unit_of", "virtual", "words_of",
 ]

@@ -25,7 +25,7 @@ def option_arguments(options):
             arguments.append(option)
             continue
         for one in value if isinstance(value, list) else [value]:
-            text = ",".join(map(str, one)) if isinstance(one, tuple) else os.fspath(one) if isinstance(one, Path) else str(one)
+            text = ",".join(map(str, one)) if isinstance(one, tuple) else str(one)
             arguments.append(f"{option}={text}")
     return arguments
 

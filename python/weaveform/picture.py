@@ -10,7 +10,9 @@ from .table import words_of
 # Even to the eye and for the colour-blind: viridis (van der Walt and Smith 2015) of one sign, red to blue of both
 # (Brewer's RdBu), whose middle, white, is zero.
 _of_one_sign = ["440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725"]
-_of_both_signs = ["053061", "2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b", "67001f"]
+_of_both_signs = [
+    *("053061", "2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b", "67001f"),
+]
 _ink = (0.15, 0.15, 0.18)
 _views = {"top": (0, 0, 1), "bottom": (0, 0, -1), "front": (0, -1, 0), "side": (1, 0, 0), "oblique": (0.7, -1.1, 0.8)}
 _strip = 0.13  # of the height, for the colour bar

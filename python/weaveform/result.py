@@ -38,7 +38,8 @@ class Folder:
             return (self.path / name).read_text("utf-8")
         except (OSError, UnicodeDecodeError) as error:
             reason = getattr(error, "strerror", None) or error
-            raise FileError(f"{self.path / name}: cannot be read ({reason}); has the command that writes it been run?") from error
+            said = f"{self.path / name}: cannot be read ({reason}); has the command that writes it been run?"
+            raise FileError(said) from error
 
     def json(self, name):
         """A .json file as Python's dict."""
@@ -46,7 +47,8 @@ class Folder:
         try:
             return json.loads(text)
         except json.JSONDecodeError as error:
-            raise FileError(f"{self.path / name}:{error.lineno}:{error.colno}: is damaged ({error.msg}); run again") from error
+            place = f"{self.path / name}:{error.lineno}:{error.colno}"
+            raise FileError(f"{place}: is damaged ({error.msg}); run again") from error
 
     def table(self, name):
         """A .csv file as a Table of NumPy columns."""

@@ -40,7 +40,8 @@ class Table(Mapping):
     pandas.DataFrame(dict(table)) and the like take it as it is."""
 
     def __init__(self, path):
-        """Lines that begin with # are skipped, and so is a last one without its end, which is being written. Raises FileError when the file cannot be read or is no table."""
+        """Lines that begin with # are skipped, and so is a last one without its end, which is being written. Raises
+        FileError when the file cannot be read or is no table."""
         self.path = Path(path)
         try:
             text = self.path.read_text("utf-8")
