@@ -162,18 +162,14 @@ def test_an_exception_of_the_listener_ends_the_run_with_a_checkpoint_to_go_on_fr
 
 
 def test_a_signal_to_the_program_raises_interrupted(scene, tmp_path):
-    children = lambda: subprocess.run(["ps", "--ppid", str(os.getpid()), "-o", "pid=,comm="], capture_output=True,  # noqa: E731
-                                      text=True).stdout.splitlines()
+    program = script(tmp_path, f'echo $$ > "{tmp_path}/pid"; exec "{wf.find_program()}" "$@"\n')
 
     def stop(line):
         if line.kind == "progress" and line.fraction >= 0.1:
-            for child in children():
-                pid, name = child.split()
-                if name == "weaveform":
-                    os.kill(int(pid), signal.SIGTERM)
+            os.kill(int((tmp_path / "pid").read_text()), signal.SIGTERM)
 
     with pytest.raises(wf.Interrupted) as caught:
-        wf.run(scene, {**small, "analysis.duration": 2.0}, output=tmp_path / "stopped", progress=stop)
+        wf.run(scene, {**small, "analysis.duration": 2.0}, output=tmp_path / "stopped", progress=stop, program=program)
     assert caught.value.code == 130 and caught.value.folder == tmp_path / "stopped"
 
 

@@ -68,3 +68,22 @@ def test_a_draped_blank_lies_on_its_tool(examples, tmp_path):
     dome = draped.tools_at_start()["dome"]
     distance = nearest_distance(dome, draped.drape.positions[::20])
     assert distance.min() > 0.05 and distance.max() < 0.5  # half a thickness of 0.5 mm, facets within 0.2
+
+
+def test_a_decks_triangles_have_three_nodes_and_its_quads_four():
+    from weaveform.tools import surfaces_of_deck
+
+    nodes = [(7, 0, 0, 0), (3, 1, 0, 0), (4, 1, 1, 0), (9, 0, 1, 0), (5, 9, 9, 9)]
+    deck = ["/BEGIN", "# a comment", "/NODE", *("%10d%20g%20g%20g" % node for node in nodes)]
+    deck += [
+        "/SHELL/12", "%10d" * 5 % (1, 7, 3, 4, 9), "/SH3N/12", "%10d" * 4 % (2, 4, 9, 7),
+        "/SHELL/1", "%10d" * 5 % (3, 5, 3, 4, 9),
+    ]
+    deck += ["/PART/12", "tool_punch", "        12         6         0", "/PART/1", "warp", "/END"]
+    found = surfaces_of_deck("\n".join(deck))
+    assert list(found) == ["punch"]
+    punch = found["punch"]
+    assert punch.positions[punch.faces[0]].tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    assert punch.positions[punch.faces[1][:3]].tolist() == [[1, 1, 0], [0, 1, 0], [0, 0, 0]] and punch.faces[1][3] == -1
+    assert len(punch.positions) == 4  # the fabric's own node is not the tool's
+    assert punch.vtk().GetNumberOfCells() == 2 and punch.vtk().GetCell(1).GetNumberOfPoints() == 3
