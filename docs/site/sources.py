@@ -1,7 +1,7 @@
 """The site's pages: README.md, docs/ and everything that they link to, laid out as in the project.
 
 MkDocs takes pages from one folder only. So before a build README.md, docs/*.md and, in turn, whatever the pages link to are
-copied into a folder `site-source` beside the site, at their own places; every relative link then leads where it leads in the
+copied into a folder beside the site, SITE-source, at their own places; every relative link then leads where it leads in the
 project. A file that a browser would not show (a scene, a header, a table) gets a page with its text, a folder without a
 README.md one with its list. What the pages do not link to is not on the site. A link to nothing stays as it is: links.py finds
 it in the built pages. The menu is docs/README.md's own: its headings and, below each, the documents it links to.
@@ -166,7 +166,7 @@ def menu(root):
 def on_config(config):
     """Turns MkDocs to the laid-out sources."""
     root = Path(config["config_file_path"]).resolve().parent
-    folder = Path(config["site_dir"]).parent / "site-source"
+    folder = Path(config["site_dir"].rstrip("/") + "-source")
     folder.mkdir(parents=True, exist_ok=True)
     laid_out(collected(root), folder)
     config["docs_dir"] = str(folder)
