@@ -28,6 +28,7 @@ int run_command(int argc, char** argv) {
   weaveform::add_drape_command(program);
   weaveform::add_solve_command(program);
   weaveform::add_post_command(program);
+  weaveform::add_render_command(program);
   weaveform::add_check_command(program);
   weaveform::add_fit_command(program);
   weaveform::add_chart_command(program);

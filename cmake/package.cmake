@@ -21,7 +21,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 file(REAL_PATH ${GMSH_LIBRARY} gmsh_file)
 execute_process(COMMAND dpkg-query --search ${gmsh_file} OUTPUT_VARIABLE gmsh_package ERROR_QUIET)
 string(REGEX REPLACE ":.*" "" CPACK_DEBIAN_PACKAGE_DEPENDS "${gmsh_package}")
-# draws the charts; a run without it says so and leaves them out
+# draws the charts; a run without it says so and leaves them out. Pictures where there is no screen, and films, likewise.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xvfb, xauth, ffmpeg")
 install(FILES cmake/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/weaveform COMPONENT program)
 include(CPack)

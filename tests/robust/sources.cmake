@@ -4,6 +4,7 @@ set(ROBUST_SOURCES
   robust/checkpoint_damage_test.cpp
   robust/checkpoint_resume_test.cpp
   robust/docs_commands_test.cpp
+  robust/docs_site_test.cpp
   robust/exit_codes_test.cpp
   robust/formatting_test.cpp
   robust/fuzz_corpus_test.cpp

@@ -1,0 +1,371 @@
+#include "post/picture/picture.hpp"
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/files/files.hpp"
+#include "core/keys/nearest_name.hpp"
+#include "core/vector/vector.hpp"
+#include "post/forming/placed_tools.hpp"
+#include "post/picture/palette.hpp"
+#include "post/picture/tool_surface.hpp"
+
+namespace weaveform {
+namespace {
+
+constexpr int most_yarns_seen = 20000;  // beyond, lines lie on each other and hide the field
+constexpr double flat_share = 0.02;     // of the extent: what rises less is looked at from above
+
+vtkSmartPointer<vtkPoints> points_of(const std::vector<Vec3>& position) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(position.size()));
+  for (std::size_t n = 0; n < position.size(); ++n) points->SetPoint(static_cast<vtkIdType>(n), position[n].data());
+  return points;
+}
+
+vtkSmartPointer<vtkCellArray> polygons_of(const MeshCells& cells) {
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  for (int cell = 0; cell < cells.size(); ++cell) {
+    polygons->InsertNextCell(cells.offset[cell + 1] - cells.offset[cell]);
+    for (int k = cells.offset[cell]; k < cells.offset[cell + 1]; ++k) polygons->InsertCellPoint(cells.node[k]);
+  }
+  return polygons;
+}
+
+vtkSmartPointer<vtkCellArray> lines_of(const MeshYarns& yarns) {
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& [a, b] : yarns.node) {
+    lines->InsertNextCell(2);
+    lines->InsertCellPoint(a);
+    lines->InsertCellPoint(b);
+  }
+  return lines;
+}
+
+struct Box {
+  Vec3 low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
+  void add(const Vec3& p) {
+    for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], p[c]), high[c] = std::max(high[c], p[c]);
+  }
+  [[nodiscard]] Vec3 middle() const { return scaled(plus(low, high), 0.5); }
+  [[nodiscard]] double diagonal() const { return distance(low, high); }
+};
+
+// Way of looking and what is up then.
+std::array<Vec3, 2> directions_of(View view) {
+  switch (view) {
+    case View::front:
+      return {{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+    case View::side:
+      return {{{-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
+    case View::slant:
+      return {{{-0.45, 0.65, -0.61}, {0.0, 0.0, 1.0}}};
+    default:
+      return {{{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}};
+  }
+}
+
+vtkSmartPointer<vtkActor2D> flat_line(vtkPolyData& line) {
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(&line);
+  auto actor = vtkSmartPointer<vtkActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.1, 0.1, 0.1);
+  actor->GetProperty()->SetLineWidth(3.0F);
+  return actor;
+}
+
+// The greatest of 1, 2 and 5 times a power of ten that is no longer.
+double round_length(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= length) return factor * power;
+  return power;
+}
+
+}  // namespace
+
+const std::vector<FieldTitle>& field_titles() {
+  static const std::vector<FieldTitle> titles = {
+      {"absolute_shear_angle_deg", "shear angle (°)", false, true},
+      {"shear_angle_deg", "signed shear angle (°)", true, false},
+      {"yarn_strain", "yarn strain (1)", true, false},
+      {"yarn_force_N", "yarn force (N)", true, false},
+      {"thickness_mm", "thickness (mm)", false, false},
+      {"areal_weight_ratio", "areal weight over the flat fabric's (1)", false, false},
+      {"contact_pressure_MPa", "contact pressure (MPa)", false, true},
+      {"contact_share", "share of nodes in contact (1)", false, true},
+      {"folded", "folded cells (1: folded)", false, true}};
+  return titles;
+}
+
+struct Pictures::Stage {
+  ResultFolder& folder;
+  PictureSpec spec;
+  const FieldTitle* title = nullptr;
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkPolyData> fabric, yarns;
+  std::vector<vtkSmartPointer<vtkActor>> tool;
+  vtkNew<vtkTextActor> caption;
+
+  Stage(ResultFolder& result, PictureSpec asked) : folder(result), spec(std::move(asked)) {
+    const auto& titles = field_titles();
+    const auto found =
+        std::find_if(titles.begin(), titles.end(), [&](const FieldTitle& t) { return spec.field == t.array; });
+    if (found == titles.end()) {
+      std::vector<std::string> names;
+      for (const auto& one : titles) names.emplace_back(one.array);
+      throw InputError(fmt::format("no field '{}' to draw{}; it is one of {}", spec.field,
+                                   did_you_mean(spec.field, names), fmt::join(names, ", ")));
+    }
+    title = &*found;
+  }
+
+  // One value per cell; the frame's array holds the lines' before.
+  [[nodiscard]] std::vector<double> values(std::size_t frame) {
+    std::vector<double> value = read_frame_array(folder.frames()[frame].file, spec.field);
+    const auto lines = static_cast<std::size_t>(folder.mesh().yarn_count());
+    const auto cells = static_cast<std::size_t>(folder.mesh().cells.size());
+    if (value.size() != lines + cells)
+      throw InputError(
+          fmt::format("{}: '{}' has {} values, where the mesh has {} yarn elements and {} cells; solve again",
+                      folder.frames()[frame].file.string(), spec.field, value.size(), lines, cells));
+    value.erase(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(lines));
+    return value;
+  }
+
+  void find_range(const std::vector<std::size_t>& frames) {
+    if (spec.range) return;
+    std::array<double, 2> range = {1e300, -1e300};
+    for (const std::size_t frame : frames)
+      for (const double v : values(frame))
+        if (std::isfinite(v)) range = {std::min(range[0], v), std::max(range[1], v)};
+    if (range[0] > range[1]) range = {0.0, 1.0};
+    if (title->two_signs) {
+      const double most = std::max({std::abs(range[0]), std::abs(range[1]), 1e-12});
+      range = {-most, most};
+    } else {
+      if (title->from_zero) range[0] = 0.0;
+    }
+    if (!(range[1] > range[0])) range[1] = range[0] + 1.0;
+    spec.range = range;
+  }
+
+  void build(const std::vector<std::size_t>& frames) {
+    const Mesh& mesh = folder.mesh();
+    fabric->SetPolys(polygons_of(mesh.cells));
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(fabric);
+    mapper->SetLookupTable(colours(title->two_signs ? Palette::two_signs : Palette::one_sign, *spec.range));
+    mapper->SetScalarModeToUseCellData();
+    mapper->UseLookupTableScalarRangeOn();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetInterpolationToFlat();
+    actor->GetProperty()->SetAmbient(0.45);
+    actor->GetProperty()->SetDiffuse(0.6);
+    renderer->AddActor(actor);
+    add_colour_bar(*mapper);
+    if (spec.yarns && mesh.yarn_count() <= most_yarns_seen) add_yarns(mesh);
+    if (spec.tools) add_tools();
+    renderer->SetBackground(1.0, 1.0, 1.0);
+    renderer->UseDepthPeelingOn();
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetAlphaBitPlanes(1);
+    window->SetSize(spec.size[0], spec.size[1]);
+    window->AddRenderer(renderer);
+    place_camera(frames);
+    add_scale();
+    add_caption();
+  }
+
+  void add_colour_bar(vtkPolyDataMapper& mapper) {
+    vtkNew<vtkScalarBarActor> bar;
+    bar->SetLookupTable(mapper.GetLookupTable());
+    bar->SetTitle(title->title);
+    bar->SetNumberOfLabels(6);
+    bar->SetLabelFormat("%-#.3g");
+    bar->UnconstrainedFontSizeOn();
+    bar->SetPosition(0.88, 0.18);
+    bar->SetWidth(0.08);
+    bar->SetHeight(0.64);
+    for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) set_text(*text);
+    renderer->AddActor2D(bar);
+  }
+
+  void set_text(vtkTextProperty& text) const {
+    text.SetColor(0.1, 0.1, 0.1);
+    text.SetFontFamilyToArial();
+    text.SetFontSize(std::max(10, spec.size[1] / 45));
+    text.ItalicOff();
+    text.BoldOff();
+    text.ShadowOff();
+  }
+
+  void add_yarns(const Mesh& mesh) {
+    yarns->SetLines(lines_of(mesh.yarns));
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(yarns);
+    mapper->ScalarVisibilityOff();
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -2.0);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(0.15, 0.15, 0.15);
+    actor->GetProperty()->SetOpacity(0.35);
+    actor->GetProperty()->LightingOff();
+    renderer->AddActor(actor);
+  }
+
+  void add_tools() {
+    for (const vtkSmartPointer<vtkPolyData>& surface : tool_surfaces(folder.model())) {
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(surface);
+      auto actor = vtkSmartPointer<vtkActor>::New();
+      actor->SetMapper(mapper);
+      actor->GetProperty()->SetColor(0.55, 0.62, 0.70);
+      actor->GetProperty()->SetOpacity(0.16);
+      renderer->AddActor(actor);
+      tool.push_back(actor);
+    }
+  }
+
+  // Along the view, and near enough that fabric of all frames fills the picture.
+  void place_camera(const std::vector<std::size_t>& frames) {
+    Box box;
+    for (const std::size_t frame : frames)
+      for (const Vec3& p : folder.positions(folder.frames()[frame])) box.add(p);
+    View view = spec.view;
+    if (view == View::automatic)
+      view = box.high[2] - box.low[2] > flat_share * box.diagonal() ? View::slant : View::top;
+    const auto [along, up] = directions_of(view);
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    const Vec3 middle = box.middle(), eye = plus(middle, scaled(along, -2.0 * box.diagonal()));
+    camera->SetFocalPoint(middle.data());
+    camera->SetPosition(eye.data());
+    camera->SetViewUp(up.data());
+    double half_width = 0.0, half_height = 0.0;
+    const Vec3 right = unit_of(cross(along, up)), above = cross(right, unit_of(along));
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = minus({(corner & 1) != 0 ? box.high[0] : box.low[0], (corner & 2) != 0 ? box.high[1] : box.low[1],
+                            (corner & 4) != 0 ? box.high[2] : box.low[2]},
+                           middle);
+      half_width = std::max(half_width, std::abs(dot(p, right)));
+      half_height = std::max(half_height, std::abs(dot(p, above)));
+    }
+    const double aspect = static_cast<double>(spec.size[0]) / spec.size[1];
+    // the colour bar takes an eighth at the right, caption and scale a tenth at top and bottom
+    camera->SetParallelScale(std::max(half_height / 0.8, half_width / (0.76 * aspect)));
+    camera->SetWindowCenter(0.1, 0.0);
+    renderer->ResetCameraClippingRange();
+  }
+
+  static Vec3 unit_of(const Vec3& a) { return scaled(a, 1.0 / length(a)); }
+
+  // A bar of a round length with the length beside it; in the picture's plane, so that it holds everywhere.
+  void add_scale() {
+    const double pixels_per_mm = 0.5 * spec.size[1] / renderer->GetActiveCamera()->GetParallelScale();
+    const double mm = round_length(0.25 * spec.size[0] / pixels_per_mm);
+    const double x = 0.03 * spec.size[0], y = 0.045 * spec.size[1], wide = mm * pixels_per_mm;
+    vtkNew<vtkPoints> ends;
+    ends->InsertNextPoint(x, y, 0.0);
+    ends->InsertNextPoint(x + wide, y, 0.0);
+    vtkNew<vtkCellArray> line;
+    line->InsertNextCell({0, 1});
+    vtkNew<vtkPolyData> bar;
+    bar->SetPoints(ends);
+    bar->SetLines(line);
+    renderer->AddActor2D(flat_line(*bar));
+    vtkNew<vtkTextActor> text;
+    text->SetInput(fmt::format("{:g} mm", mm).c_str());
+    text->SetDisplayPosition(static_cast<int>(x), static_cast<int>(y + 0.01 * spec.size[1]));
+    set_text(*text->GetTextProperty());
+    renderer->AddActor2D(text);
+  }
+
+  void add_caption() {
+    set_text(*caption->GetTextProperty());
+    caption->SetDisplayPosition(static_cast<int>(0.03 * spec.size[0]), static_cast<int>(0.95 * spec.size[1]));
+    renderer->AddActor2D(caption);
+  }
+
+  void show(std::size_t frame) {
+    const FrameFile& file = folder.frames()[frame];
+    const auto points = points_of(folder.positions(file));
+    fabric->SetPoints(points);
+    yarns->SetPoints(points);
+    const std::vector<double> value = values(frame);
+    vtkNew<vtkDoubleArray> scalars;
+    scalars->SetName(spec.field.c_str());
+    scalars->SetNumberOfTuples(static_cast<vtkIdType>(value.size()));
+    std::copy(value.begin(), value.end(), scalars->GetPointer(0));
+    fabric->GetCellData()->SetScalars(scalars);
+    fabric->Modified();
+    yarns->Modified();
+    if (!tool.empty()) {
+      const auto placed = place_tools(folder.model().tools, folder.history(), file.time);
+      for (std::size_t t = 0; t < tool.size(); ++t)
+        tool[t]->SetPosition(minus(placed[t].place.origin, placed[t].tool.start.origin).data());
+    }
+    caption->SetInput(fmt::format("{}, {:.0f} % of the way", folder.directory().filename().string(),
+                                  100.0 * file.time / std::max(folder.frames().back().time, 1e-300))
+                          .c_str());
+    renderer->ResetCameraClippingRange();
+  }
+};
+
+Pictures::Pictures(ResultFolder& folder, PictureSpec spec, std::vector<std::size_t> frames)
+    : stage_(std::make_unique<Stage>(folder, std::move(spec))) {
+  stage_->find_range(frames);
+  stage_->build(frames);
+}
+
+Pictures::~Pictures() = default;
+
+void Pictures::draw(std::size_t frame, const std::filesystem::path& file) {
+  stage_->show(frame);
+  stage_->window->Render();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(stage_->window);
+  image->SetInputBufferTypeToRGB();
+  image->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (bytes == nullptr || bytes->GetNumberOfValues() == 0)
+    throw FileError(fmt::format("{}: nothing could be drawn; is the screen (DISPLAY) there?", file.string()));
+  const auto* first = reinterpret_cast<const char*>(bytes->GetPointer(0));
+  write_text_whole(file, std::string(first, static_cast<std::size_t>(bytes->GetNumberOfValues())));
+}
+
+}  // namespace weaveform
