@@ -5,6 +5,8 @@
 # are optimised no more than debugging allows: all of the target's, or those that match, which become a target of their
 # own, TARGET_once, as files are compiled together only with the same options. Arithmetic keeps its bits: neither compiler
 # reorders it at any level. To be called when the target is complete.
+# With the sanitizers not at all: what they put in takes twice as long to optimise as to run through.
+set(weaveform_brief $<$<CONFIG:Release>:-Og> $<$<BOOL:${WEAVEFORM_SANITIZE}>:-O0>)
 function(weaveform_runs_once target)
   if(ARGN)
     get_target_property(sources ${target} SOURCES)
@@ -18,7 +20,7 @@ function(weaveform_runs_once target)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_once>)
     set(target ${target}_once)
   endif()
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
+  target_compile_options(${target} PRIVATE ${weaveform_brief})
 endfunction()
 
 # weaveform_together(TARGET [APART]): the sources of a target are compiled together, at most eight at a time, in their

@@ -84,8 +84,8 @@ TEST_F(Render, AFilmHasEveryFrame) {
   if (run("command -v ffprobe").exit_code != 0) GTEST_SKIP() << "ffmpeg is not installed";
   for (const std::string film : {"film.gif", "film.webm"}) {
     must("weaveform render done --output " + film + " --animate --size 320 240");
-    const CommandResult count = run(
-        "ffprobe -v error -count_frames -select_streams v -show_entries stream=nb_read_frames -of csv=p=0 " + film);
+    const CommandResult count =
+        run("ffprobe -v error -count_frames -select_streams v -show_entries stream=nb_read_frames -of csv=p=0 " + film);
     EXPECT_EQ(std::stoi(count.out), std::stoi(run("ls done/frames | wc -l").out)) << film;
   }
 }

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/instrumented.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using weaveform::test::CommandResult;
+using weaveform::test::instrumented;
 using weaveform::test::read_text;
 using weaveform::test::run_command;
 using weaveform::test::TemporaryFolder;
@@ -28,7 +30,7 @@ wait $run
 
 class InterruptedRun : public testing::Test {
 protected:
-  explicit InterruptedRun(std::string duration = "1.5", std::string analysis = "")
+  explicit InterruptedRun(std::string duration = instrumented ? "0.3" : "1.5", std::string analysis = "")
       : duration_(std::move(duration)), analysis_(std::move(analysis)) {}
   void SetUp() override {
     // Long enough (a slow pull, many frames) that the interruption comes well before the end.
@@ -60,7 +62,7 @@ TEST_F(InterruptedRun, LeavesACheckpointAndGoesOnToTheSameBits) {
 // Ten times as slow, for it takes a tenth of the steps.
 class InterruptedReachingRun : public InterruptedRun {
 protected:
-  InterruptedReachingRun() : InterruptedRun("15", "step_bound = \"reached\"\n") {}
+  InterruptedReachingRun() : InterruptedRun(instrumented ? "3" : "15", "step_bound = \"reached\"\n") {}
 };
 
 TEST_F(InterruptedReachingRun, GoesOnWithTheStrainsThatItHadReached) {

@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "solver/result/fields.hpp"
+#include "tests/support/instrumented.hpp"
 #include "tests/support/scene_run.hpp"
 
 namespace weaveform {
@@ -57,7 +58,7 @@ Border border_of(const test::Solved& run) {
 }
 
 Border bias_extension(double bending) {
-  Scene scene = test::example("bias_extension_pw", {"blank.coarsening=2"});
+  Scene scene = test::example("bias_extension_pw", {test::instrumented ? "blank.coarsening=3" : "blank.coarsening=2"});
   if (bending > 0.0) {
     scene.model.yarn = YarnElement::beam;
     scene.model.yarn_bending = {bending, 5.0};
