@@ -1,0 +1,65 @@
+// Packs src/ and the parts of vtk.js and ECharts that it uses into packed/, with the licences of all that went in.
+// Every byte depends on the sources and the lock file alone.
+import { build } from 'esbuild';
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+const shared = { bundle: true, minify: true, charset: 'utf8', legalComments: 'none', metafile: true };
+
+const script = await build({
+  ...shared,
+  entryPoints: ['src/main.js'],
+  outfile: 'packed/report.js',
+  format: 'iife',
+  target: ['es2020'],
+  supported: { 'inline-script': true }, // "</script" inside a string would end the page's script
+  define: { 'process.env.NODE_ENV': '"production"' },
+  alias: {
+    // vtk.js's window asks for these; a report has neither a WebGPU path nor XML files to read
+    xmlbuilder2: './src/nothing.js',
+  },
+  logLevel: 'warning',
+});
+await build({ ...shared, entryPoints: ['src/report.css'], outfile: 'packed/report.css', logLevel: 'warning' });
+
+// The packages that have at least a byte in the script.
+function packagesIn(metafile) {
+  const names = new Set();
+  for (const output of Object.values(metafile.outputs)) {
+    for (const [path, { bytesInOutput }] of Object.entries(output.inputs)) {
+      const match = bytesInOutput > 0 && path.match(/.*node_modules\/((?:@[^/]+\/)?[^/]+)\//);
+      if (match) names.add(match[1]);
+    }
+  }
+  return [...names].sort();
+}
+
+const licence_files = /^(licen[cs]e|copying|copyright|notice)/i;
+
+// Some have it at the end of their README only.
+function licenceInReadme(folder) {
+  const text = readFileSync(join(folder, 'README.md'), 'utf8');
+  const at = text.search(/^(#+ )?licen[cs]e\b/im);
+  return at < 0 ? [] : [text.slice(at).trim()];
+}
+
+function licenceOf(name) {
+  const folder = join('node_modules', name);
+  const about = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  const files = readdirSync(folder)
+    .filter((file) => licence_files.test(file) && statSync(join(folder, file)).isFile())
+    .sort()
+    .map((file) => readFileSync(join(folder, file), 'utf8').trim());
+  const nested = join(folder, 'licenses'); // of what the package itself took in
+  if (existsSync(nested)) files.push(...readdirSync(nested).sort().map((file) => readFileSync(join(nested, file), 'utf8').trim()));
+  const texts = files.length ? files : licenceInReadme(folder);
+  if (!texts.length) throw new Error(`${name} ${about.version} has no licence file; name its licence in build.mjs`);
+  return `${name} ${about.version} (${about.license})\n${'='.repeat(60)}\n\n${texts.join('\n\n')}\n`;
+}
+
+mkdirSync('packed', { recursive: true });
+writeFileSync(
+  'packed/LICENSES.txt',
+  'packed/report.js holds parts of these packages, each under its own licence; the rest of it is Weaveform.\n\n\n' +
+    packagesIn(script.metafile).map(licenceOf).join('\n\n'),
+);

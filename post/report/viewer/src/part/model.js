@@ -1,0 +1,98 @@
+// The part as the page's data has it: cells, yarns, fields and frames, decoded when they are first asked for.
+import { checkIndices, DataError, decode, positionsOf, valuesOf } from '../data.js';
+
+/**
+ * From the "part" of the data: {node_count, cell_count, cells (4 nodes each), cell_plies (or null), plies (sorted), yarns
+ * {warp, weft}, fields, frames [{label}], positions(frame), values(field, frame)}. Throws DataError.
+ */
+export function makeModel(part) {
+  const { node_count, cell_count } = part;
+  if (!part.frames?.length) throw new DataError('The part has no frames.');
+  const cells = decode(part.cells, Uint32Array, 'cells of the part', 4 * cell_count);
+  checkIndices(cells, node_count, 'cells of the part');
+  const yarns = {};
+  for (const name of ['warp', 'weft']) {
+    yarns[name] = decode(part.yarns?.[name] ?? '', Uint32Array, `${name} yarns`);
+    checkIndices(yarns[name], node_count, `${name} yarns`);
+  }
+  const cell_plies = part.plies ? decode(part.plies, Uint8Array, 'plies of the cells', cell_count) : null;
+  const position_cache = new Map();
+  const value_cache = new Map();
+
+  function positions(frame) {
+    if (!position_cache.has(frame)) {
+      position_cache.set(frame, positionsOf(part.frames[frame].position, part.position, node_count, `positions of frame ${frame}`));
+    }
+    return position_cache.get(frame);
+  }
+
+  /** Values per cell or node, or null where the frame has none of this field. */
+  function values(field, frame) {
+    const key = `${frame} ${field.name}`;
+    if (!value_cache.has(key)) {
+      const coded = part.frames[frame].fields?.[field.name];
+      const count = field.association === 'nodes' ? node_count : cell_count;
+      value_cache.set(key, coded ? valuesOf(coded, field, count, `${field.title} of frame ${frame}`) : null);
+    }
+    return value_cache.get(key);
+  }
+
+  return {
+    node_count,
+    cell_count,
+    cells,
+    cell_plies,
+    plies: cell_plies ? [...new Set(cell_plies)].sort((a, b) => a - b) : [],
+    yarns,
+    fields: part.fields ?? [],
+    frames: part.frames.map(({ label }) => ({ label })),
+    positions,
+    values,
+  };
+}
+
+/** How many different nodes a cell has: 3 or 4. */
+export const cornersOf = (cells, cell) => (cells[4 * cell + 3] === cells[4 * cell + 2] ? 3 : 4);
+
+/** The middle of a cell's corners. */
+export function centreOf(cells, positions, cell) {
+  const corners = cornersOf(cells, cell);
+  const centre = [0, 0, 0];
+  for (let i = 0; i < corners; ++i) {
+    for (let axis = 0; axis < 3; ++axis) centre[axis] += positions[3 * cells[4 * cell + i] + axis] / corners;
+  }
+  return centre;
+}
+
+/** Values of the nodes from those of the cells: the mean over a node's cells that have one, of `shown` cells only. */
+export function nodeMeans({ cells, node_count }, values, shown) {
+  const sums = new Float32Array(node_count);
+  const counts = new Uint16Array(node_count);
+  for (const cell of shown) {
+    if (Number.isNaN(values[cell])) continue;
+    for (let i = 0; i < cornersOf(cells, cell); ++i) {
+      sums[cells[4 * cell + i]] += values[cell];
+      ++counts[cells[4 * cell + i]];
+    }
+  }
+  return sums.map((sum, i) => (counts[i] ? sum / counts[i] : NaN));
+}
+
+/** Smooth normals of the nodes, by the area of the cells around them. */
+export function nodeNormals({ cells, node_count }, positions, shown) {
+  const normals = new Float32Array(3 * node_count);
+  const p = (node, axis) => positions[3 * node + axis];
+  for (const cell of shown) {
+    const [a, b, c, d] = cells.subarray(4 * cell, 4 * cell + 4);
+    // half the cross product of the diagonals is a quad's vector area; of a triangle (d = c) it is the triangle's
+    const u = [0, 1, 2].map((axis) => p(c, axis) - p(a, axis));
+    const v = [0, 1, 2].map((axis) => p(d, axis) - p(b, axis));
+    const n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    for (const node of d === c ? [a, b, c] : [a, b, c, d]) for (let axis = 0; axis < 3; ++axis) normals[3 * node + axis] += n[axis];
+  }
+  for (let i = 0; i < normals.length; i += 3) {
+    const size = Math.hypot(normals[i], normals[i + 1], normals[i + 2]) || 1;
+    for (let axis = 0; axis < 3; ++axis) normals[i + axis] /= size;
+  }
+  return normals;
+}
