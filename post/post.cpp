@@ -21,7 +21,7 @@ std::string unfinished_warning(const SolveStatistics& s) {
 
 }  // namespace
 
-PostAnswers post_process(ResultFolder& folder) {
+Evaluation evaluate(ResultFolder& folder) {
   const Scene& scene = folder.scene();
   const SolveStatistics& statistics = folder.statistics();
   const FrameFile& last = folder.frames().back();
@@ -31,11 +31,9 @@ PostAnswers post_process(ResultFolder& folder) {
   const Card& card = model.card;
   const Mesh& mesh = model.mesh;
   // computed anew from the positions, so that post and solver share one formula
-  const Fields end = compute_fields(mesh, card, scene.model, last.time, position);
-
-  write_contours(shear_angle_isolines(mesh, end, scene.output.contour_step), folder.directory() / file_name::contours);
-
-  Summary summary;
+  Evaluation evaluation{compute_fields(mesh, card, scene.model, last.time, position), {}};
+  const Fields& end = evaluation.end;
+  Summary& summary = evaluation.summary;
   summary.statistics = statistics;
   summary.grip = summarise_grips(scene, history);
   summary.tool = summarise_tools(scene, history);
@@ -44,11 +42,23 @@ PostAnswers post_process(ResultFolder& folder) {
     summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
   if (scene.frame) summary.frame = compare_shear_frame(scene, card, history);
   summary.forming = evaluate_forming(scene, mesh, model.tools, end, history);
-  if (summary.forming) write_forming(*summary.forming, mesh, end, folder.directory());
   summary.folds = find_folds(scene, mesh, end.position);
   summary.warning = warnings({scene, card, mesh, model.tools, model.extent(), end, history, summary});
   if (!statistics.finished) summary.warning.insert(summary.warning.begin(), unfinished_warning(statistics));
-  write_summary(summary, folder.directory() / file_name::summary);
+  return evaluation;
+}
+
+PostAnswers post_process(ResultFolder& folder) {
+  return post_process(folder, evaluate(folder));
+}
+
+PostAnswers post_process(ResultFolder& folder, const Evaluation& evaluation) {
+  const auto& [end, summary] = evaluation;
+  const Mesh& mesh = folder.model().mesh;
+  const std::filesystem::path& directory = folder.directory();
+  write_contours(shear_angle_isolines(mesh, end, folder.scene().output.contour_step), directory / file_name::contours);
+  if (summary.forming) write_forming(*summary.forming, mesh, end, directory);
+  write_summary(summary, directory / file_name::summary);
   return {summary_table(summary), summary.warning};
 }
 

@@ -18,6 +18,7 @@ void add_solve_command(CLI::App& program);
 void add_post_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_dic_commands(CLI::App& post);  // compare, virtual, border
+void add_report_command(CLI::App& post);
 void add_check_command(CLI::App& program);
 void add_drape_command(CLI::App& program);
 void add_fit_command(CLI::App& program);

@@ -27,6 +27,7 @@ void add_post_command(CLI::App& program) {
   command->add_option("DIR", arguments->directory, "Result folder");
   add_quiet_argument(*command, arguments->quiet);
   add_dic_commands(*command);
+  add_report_command(*command);
   command->callback([arguments, command] {
     if (!command->get_subcommands().empty()) return;
     if (arguments->directory.empty()) throw InputError("DIR is required; 'weaveform post --help' tells more");

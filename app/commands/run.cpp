@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "mesher/scene/reader.hpp"
+#include "post/report/result_report.hpp"
 
 namespace weaveform {
 
@@ -28,7 +29,7 @@ struct RunArguments {
   std::string accuracy;  // "2%"; "": the scene's own mesh
   std::vector<std::string> measures;
   double finest = 1.0;
-  bool verbose = false;
+  bool report = false, verbose = false;
 };
 
 constexpr const char* what_to_open =
@@ -37,6 +38,10 @@ constexpr const char* what_to_open =
 std::filesystem::path folder_of(const RunArguments& arguments) {
   return arguments.output.empty() ? default_result_folder(arguments.scene.scene)
                                   : std::filesystem::path(arguments.output);
+}
+
+std::string report_line(const std::filesystem::path& directory) {
+  return fmt::format("{}: open it in a browser", (directory / file_name::report).string());
 }
 
 void run_to_accuracy(const RunArguments& arguments) {
@@ -60,11 +65,14 @@ void run_to_accuracy(const RunArguments& arguments) {
   std::filesystem::copy(found.results, directory, over);
   write_text_whole(directory / study::report_name::accuracy, found.table);
   ResultFolder result(directory);
-  const PostAnswers answers = post_process(result);
+  const Evaluation evaluation = evaluate(result);
+  const PostAnswers answers = post_process(result, evaluation);
   log_warnings(answers.warnings);
+  if (arguments.report) write_report_page(result, evaluation, directory / file_name::report);
   if (!arguments.solve.quiet) {
     print_answer(answers.table);
     print_answer("\n" + found.table);
+    if (arguments.report) log_line(report_line(directory));
   }
   if (!found.met)
     throw PhysicsError(fmt::format(
@@ -98,11 +106,14 @@ void run(const RunArguments& arguments) {
   ResultFolder result = arguments.solve.resume ? go_on_with_model(std::move(model), directory, listener)
                                                : write_model(std::move(model), directory, listener);
   solve_on_console(result, arguments.solve, true);  // there is room, as asked above
-  const PostAnswers answers = post_process(result);
+  const Evaluation evaluation = evaluate(result);
+  const PostAnswers answers = post_process(result, evaluation);
   log_warnings(not_said(answers.warnings, said));
+  if (arguments.report) write_report_page(result, evaluation, directory / file_name::report);
   if (arguments.solve.quiet) return;
   print_answer(answers.table);
   log_end(directory, what_to_open);
+  if (arguments.report) log_line(report_line(directory));
 }
 
 }  // namespace
@@ -114,6 +125,7 @@ void add_run_command(CLI::App& program) {
   add_output_argument(*command, arguments->output);
   add_solve_arguments(*command, arguments->solve);
   add_verbose_argument(*command, arguments->verbose);
+  command->add_flag("--report", arguments->report, "Write DIR/report.html too, a page that opens in any browser");
   auto* accuracy =
       command
           ->add_option("--accuracy", arguments->accuracy,

@@ -25,7 +25,7 @@ struct StudyArguments {
   std::string output;
   std::string format;  // of --export
   int jobs = 0;
-  bool collect = false, retry = false, keys = false, force = false, quiet = false;
+  bool collect = false, retry = false, report = false, keys = false, force = false, quiet = false;
 };
 
 int jobs_of(const StudyArguments& arguments, const study::Study& plan) {
@@ -80,13 +80,14 @@ void study_command(const StudyArguments& arguments) {
     return;
   }
   if (!arguments.collect) run_all(arguments, plan, cases, directory);
-  const study::Report report =
-      plan.border ? study::write_border_report(plan, directory) : study::write_report(plan, cases, directory);
+  const study::Report report = plan.border ? study::write_border_report(plan, directory, arguments.report)
+                                           : study::write_report(plan, cases, directory, arguments.report);
   if (!arguments.quiet) {
     print_answer(report.answer);
     for (const std::string& line : report.complaints) log_line("warning: " + line);
-    log_line(fmt::format("{} done, {} failed, {} not run; table: {}", report.done, report.failed, report.missing,
-                         (directory / study::report_name::table).string()));
+    log_line(fmt::format("{} done, {} failed, {} not run; table: {}, report: {}", report.done, report.failed,
+                         report.missing, (directory / study::report_name::table).string(),
+                         (directory / study::report_name::page).string()));
   }
   if (plan.border && report.borders == 0)
     throw PhysicsError(fmt::format("{}: no border is found; why is in border.csv", directory.string()));
@@ -111,6 +112,7 @@ void add_study_command(CLI::App& program) {
   command->add_option("--export", arguments->format, "Run nothing; write the study as a workflow")
       ->check(CLI::IsMember({"snakemake"}))
       ->excludes(collect);
+  command->add_flag("--report", arguments->report, "Write a report of each case too, as 'weaveform post report' does");
   command->add_flag("--keys", arguments->keys, "Print every key of a study file (Markdown)");
   add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);

@@ -13,6 +13,7 @@
 #include "post/dic/virtual/export.hpp"
 #include "post/output/drape_result.hpp"
 #include "post/post.hpp"
+#include "post/report/result_report.hpp"
 #include "solver/result/file_names.hpp"
 
 namespace weaveform {
@@ -23,7 +24,7 @@ namespace {
 
 // What comes of a mesh and stands in the folder itself.
 FileNames later_files() {
-  return joined({solve_files(), post_files(), drape_files(), study::accuracy_files()});
+  return joined({solve_files(), post_files(), report_files(), drape_files(), study::accuracy_files()});
 }
 
 // What is made of results, where the commands put it unless they are told otherwise.
@@ -55,6 +56,10 @@ std::vector<fs::path> input_files(const Scene& scene) {
 
 OutputClaim post_claim(const fs::path& directory, const Scene& scene) {
   return {.directory = directory, .names = post_files(), .inputs = input_files(scene)};
+}
+
+OutputClaim report_claim(const fs::path& directory, const Scene& scene) {
+  return {.directory = directory, .names = report_files(), .inputs = input_files(scene)};
 }
 
 OutputClaim later_claim(const fs::path& directory, const Scene& scene) {

@@ -20,6 +20,7 @@ namespace weaveform {
 // For the stages that read scene and mesh, and then the results too, from the folder.
 [[nodiscard]] OutputClaim later_claim(const std::filesystem::path& directory, const Scene& scene);
 [[nodiscard]] OutputClaim post_claim(const std::filesystem::path& directory, const Scene& scene);
+[[nodiscard]] OutputClaim report_claim(const std::filesystem::path& directory, const Scene& scene);
 
 // Scene file, material card, outline and tools, as far as they are files.
 [[nodiscard]] std::vector<std::filesystem::path> input_files(const Scene& scene);

@@ -10,6 +10,7 @@
 #include "app/study/convergence_report.hpp"
 #include "app/study/measure.hpp"
 #include "app/study/references.hpp"
+#include "app/study/study_page.hpp"
 #include "app/study/table.hpp"
 #include "app/study/work_precision.hpp"
 #include "app/study/work_precision_report.hpp"
@@ -114,33 +115,34 @@ void check_measures(const Study& study, const Measures& measures, const Case& do
 namespace {
 
 void write_convergence(const Study& study, const std::vector<ConvergenceOf>& convergence, const Table& table,
-                       const fs::path& study_folder, Report& report) {
+                       const fs::path& study_folder, Report& report, StudyPage& page) {
   const std::string text = convergence_markdown(*study.convergence, convergence, table);
   write_text_whole(study_folder / report_name::convergence, text);
   write_text_whole(study_folder / report_name::convergence_table,
                    convergence_csv(*study.convergence, convergence, table));
   report.answer += "\n" + text;
+  page.answers.emplace_back("Convergence", text);
 }
 
 void write_work_precision(const Study& study, const Measures& measures, const std::vector<ConvergenceOf>& convergence,
-                          const Table& table, const fs::path& study_folder, Report& report) {
+                          const Table& table, const fs::path& study_folder, Report& report, StudyPage& page) {
   const auto charts = work_precision_of(study, measures.charted, convergence, table, report.complaints);
   const std::string text = work_precision_markdown(*study.work_precision, charts, table);
   write_text_whole(study_folder / report_name::work_precision_table, work_precision_csv(charts, table));
   write_text_whole(study_folder / report_name::work_precision, text);
-  std::vector<Chart> drawn;
   for (const WorkPrecision& one : charts) {
-    drawn.push_back(work_precision_chart(one, table));
-    write_chart(study_folder / chart_name(one.measure), drawn.back());
+    page.charts.push_back(work_precision_chart(one, table));
+    write_chart(study_folder / chart_name(one.measure), page.charts.back());
   }
-  write_chart_page(study_folder / report_name::work_precision_page, study.file.stem().string(), drawn);
   report.answer += "\n" + text;
+  page.answers.emplace_back("Work and precision", text);
 }
 
 }  // namespace
 
-Report write_border_report(const Study& study, const fs::path& study_folder) {
+Report write_border_report(const Study& study, const fs::path& study_folder, bool of_cases) {
   Report report;
+  StudyPage page;
   const auto groups = find_borders(study, study_folder);
   std::vector<Case> cases;
   for (const BorderGroup& group : groups) cases.insert(cases.end(), group.tried.begin(), group.tried.end());
@@ -153,16 +155,24 @@ Report write_border_report(const Study& study, const fs::path& study_folder) {
   write_text_whole(study_folder / report_name::border_table, border_csv(study, groups));
   report.answer = border_markdown(study, groups);
   write_text_whole(study_folder / report_name::border, report.answer);
-  if (const auto chart = border_chart(study, groups)) write_chart(study_folder / report_name::border_chart, *chart);
+  page.answers.emplace_back("Border", report.answer);
+  if (const auto chart = border_chart(study, groups)) {
+    write_chart(study_folder / report_name::border_chart, *chart);
+    page.charts.push_back(*chart);
+  }
   for (const BorderGroup& group : groups) {
     if (!group.search.complaint.empty()) report.complaints.push_back(border_group_complaint(group));
     report.borders += border_is_found(group) ? 1 : 0;
   }
+  if (of_cases) write_case_reports(table, study_folder);
+  page.complaints = report.complaints;
+  write_study_page(study, table, measures.columns, page, study_folder);
   return report;
 }
 
-Report write_report(const Study& study, const std::vector<Case>& cases, const fs::path& study_folder) {
+Report write_report(const Study& study, const std::vector<Case>& cases, const fs::path& study_folder, bool of_cases) {
   Report report;
+  StudyPage page;
   const Measures measures = measures_of(study);
   const Table table = collect(study, cases, measures.all, study_folder, report.complaints);
   count(table, report);
@@ -172,12 +182,15 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
   std::vector<ConvergenceOf> convergence;
   if (study.convergence) {
     convergence = convergence_of(*study.convergence, measures.converging, table);
-    write_convergence(study, convergence, table, study_folder, report);
+    write_convergence(study, convergence, table, study_folder, report, page);
   }
   // Before the charts, which may find the reference case unfit.
   write_text_whole(study_folder / report_name::table, to_csv(table, measures.columns));
   if (study.work_precision && report.done > 0)
-    write_work_precision(study, measures, convergence, table, study_folder, report);
+    write_work_precision(study, measures, convergence, table, study_folder, report, page);
+  if (of_cases) write_case_reports(table, study_folder);
+  page.complaints = report.complaints;
+  write_study_page(study, table, measures.columns, page, study_folder);
   return report;
 }
 

@@ -13,13 +13,12 @@
 
 #include <cmath>
 
-#include "core/chart/chart.hpp"
 #include "core/files/csv.hpp"
 #include "core/files/files.hpp"
 #include "core/vector/angle.hpp"
-#include "mesher/drape/sphere_net.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "post/forming/forming.hpp"
+#include "post/forming/forming_charts.hpp"
 #include "solver/result/chart_file.hpp"
 
 namespace weaveform {
@@ -29,22 +28,13 @@ namespace fs = std::filesystem;
 
 void write_meridians(const Forming& forming, const fs::path& directory) {
   std::string table = "azimuth_deg,arc_mm,shear_angle_deg,height_mm,radius_mm,x_mm,y_mm,z_mm\n";
-  Chart chart{.title = "Shear angle along meridians"};
-  chart.x.title = "arc along the fabric from the axis (mm)";
-  chart.y.title = "shear angle (deg)";
-  for (std::size_t k = 0; k < meridian_azimuths.size(); ++k) {
-    ChartSeries series{.label = fmt::format("{:g}° from the warp", meridian_azimuths[k])};
-    for (const MeridianPoint& p : forming.meridian[k]) {
+  for (std::size_t k = 0; k < meridian_azimuths.size(); ++k)
+    for (const MeridianPoint& p : forming.meridian[k])
       table +=
           fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}\n", meridian_azimuths[k], p.arc,
                       p.angle * degrees_per_radian, p.height, p.radius, p.place.x(), p.place.y(), p.place.z());
-      series.x.push_back(p.arc);
-      series.y.push_back(p.angle * degrees_per_radian);
-    }
-    chart.series.push_back(series);
-  }
   write_text_whole(directory / file_name::meridians, table);
-  write_chart(directory / file_name::meridian_chart, chart);
+  write_chart(directory / file_name::meridian_chart, meridian_chart(forming));
 }
 
 void write_polydata(vtkPolyData& data, const fs::path& file) {
@@ -129,44 +119,16 @@ void write_wrinkles(const Forming& forming, const Mesh& mesh, const Fields& fiel
   write_polydata(*data, file);
 }
 
-void write_punch_chart(const PunchCurve& punch, const fs::path& file) {
-  Chart chart{.title = "Force of the tools"};
-  chart.x.title = fmt::format("travel of {} (mm)", punch.punch);
-  chart.y.title = "force along each tool's direction (N)";
-  for (std::size_t t = 0; t < punch.tool.size(); ++t)
-    chart.series.push_back({.label = punch.tool[t],
-                            .x = punch.travel,
-                            .y = punch.force[t],
-                            .mark = static_cast<int>(t) == punch.punch_number ? ChartMark::line : ChartMark::dashed});
-  write_chart(file, chart);
-}
-
 void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
   std::string table = "cell,u_mm,v_mm,s,shear_angle_deg,net_deg,on_sphere\n";
-  ChartSeries on{.label = "on the sphere", .mark = ChartMark::points};
-  ChartSeries off{.label = "elsewhere", .mark = ChartMark::points};
-  ChartSeries net{.label = "inextensible net g(s)"};
-  const double fold = sphere_net_end();
   for (std::size_t c = 0; c < fit.cell.size(); ++c) {
     const SphereNetCell& cell = fit.cell[c];
     table +=
         fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{},{}\n", c, cell.u, cell.v, cell.s,
                     cell.angle * degrees_per_radian, csv_number(cell.net * degrees_per_radian), cell.on_sphere ? 1 : 0);
-    if (std::abs(cell.s) > fold) continue;
-    ChartSeries& series = cell.on_sphere ? on : off;
-    series.x.push_back(cell.s);
-    series.y.push_back(cell.angle * degrees_per_radian);
   }
-  for (int k = -100; k <= 100; ++k) {
-    net.x.push_back(fold * k / 100.0);
-    net.y.push_back(sphere_net_angle(net.x.back()) * degrees_per_radian);
-  }
-  Chart chart{.title = fmt::format("Shear angle over {}, R = {:g} mm", fit.tool, fit.radius)};
-  chart.x.title = "s = u v / R²";
-  chart.y.title = "shear angle (deg)";
-  chart.series = {off, on, net};
   write_text_whole(directory / file_name::sphere_net, table);
-  write_chart(directory / file_name::sphere_net_chart, chart);
+  write_chart(directory / file_name::sphere_net_chart, sphere_net_chart(fit));
 }
 
 }  // namespace
@@ -176,7 +138,7 @@ void write_forming(const Forming& forming, const Mesh& mesh, const Fields& field
   write_meridians(forming, directory);
   write_outline(forming, mesh, fields, directory);
   write_wrinkles(forming, mesh, fields, directory / file_name::wrinkles);
-  if (forming.punch) write_punch_chart(*forming.punch, directory / file_name::punch_chart);
+  if (forming.punch) write_chart(directory / file_name::punch_chart, punch_chart(*forming.punch));
   if (forming.sphere_net) write_sphere_net(*forming.sphere_net, directory);
 }
 

@@ -193,7 +193,8 @@ struct Pictures::Stage {
     renderer->AddActor(actor);
     add_colour_bar(*mapper);
     if (spec.yarns && mesh.yarn_count() <= most_yarns_seen) add_yarns(mesh);
-    if (spec.tools) add_tools();
+    const Box box = box_of(frames);
+    if (spec.tools) add_tools(box);
     renderer->SetBackground(1.0, 1.0, 1.0);
     renderer->UseDepthPeelingOn();
     window->SetOffScreenRendering(1);
@@ -201,12 +202,12 @@ struct Pictures::Stage {
     window->SetAlphaBitPlanes(1);
     window->SetSize(spec.size[0], spec.size[1]);
     window->AddRenderer(renderer);
-    place_camera(frames);
+    place_camera(box);
     add_scale();
     add_caption();
   }
 
-  void add_colour_bar(vtkPolyDataMapper& mapper) {
+  void add_colour_bar(vtkPolyDataMapper& mapper) const {
     vtkNew<vtkScalarBarActor> bar;
     bar->SetLookupTable(mapper.GetLookupTable());
     bar->SetTitle(title->title);
@@ -229,7 +230,7 @@ struct Pictures::Stage {
     text.ShadowOff();
   }
 
-  void add_yarns(const Mesh& mesh) {
+  void add_yarns(const Mesh& mesh) const {
     yarns->SetLines(lines_of(mesh.yarns));
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(yarns);
@@ -244,8 +245,16 @@ struct Pictures::Stage {
     renderer->AddActor(actor);
   }
 
-  void add_tools() {
-    for (const vtkSmartPointer<vtkPolyData>& surface : tool_surfaces(folder.model())) {
+  [[nodiscard]] Box box_of(const std::vector<std::size_t>& frames) {
+    Box box;
+    for (const std::size_t frame : frames)
+      for (const Vec3& p : folder.positions(folder.frames()[frame])) box.add(p);
+    return box;
+  }
+
+  void add_tools(const Box& box) {
+    const auto near = tools_near(folder.model(), folder.history(), folder.frames().back().time, box.low, box.high);
+    for (const vtkSmartPointer<vtkPolyData>& surface : tool_surfaces(near)) {
       vtkNew<vtkPolyDataMapper> mapper;
       mapper->SetInputData(surface);
       auto actor = vtkSmartPointer<vtkActor>::New();
@@ -258,10 +267,7 @@ struct Pictures::Stage {
   }
 
   // Along the view, and near enough that fabric of all frames fills the picture.
-  void place_camera(const std::vector<std::size_t>& frames) {
-    Box box;
-    for (const std::size_t frame : frames)
-      for (const Vec3& p : folder.positions(folder.frames()[frame])) box.add(p);
+  void place_camera(const Box& box) {
     View view = spec.view;
     if (view == View::automatic)
       view = box.high[2] - box.low[2] > flat_share * box.diagonal() ? View::slant : View::top;
@@ -342,7 +348,7 @@ struct Pictures::Stage {
   }
 };
 
-Pictures::Pictures(ResultFolder& folder, PictureSpec spec, std::vector<std::size_t> frames)
+Pictures::Pictures(ResultFolder& folder, PictureSpec spec, const std::vector<std::size_t>& frames)
     : stage_(std::make_unique<Stage>(folder, std::move(spec))) {
   stage_->find_range(frames);
   stage_->build(frames);

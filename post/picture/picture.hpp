@@ -38,7 +38,7 @@ struct FieldTitle {
 class Pictures {
 public:
   // `frames` are places in folder.frames(), one at least.
-  Pictures(ResultFolder& folder, PictureSpec spec, std::vector<std::size_t> frames);
+  Pictures(ResultFolder& folder, PictureSpec spec, const std::vector<std::size_t>& frames);
   ~Pictures();
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;

@@ -3,8 +3,6 @@
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 
-#include "mesher/exchange/tool_mesh.hpp"
-
 namespace weaveform {
 namespace {
 
@@ -26,11 +24,9 @@ vtkSmartPointer<vtkPolyData> surface_of(const foreign::ToolMesh& mesh) {
 
 }  // namespace
 
-std::vector<vtkSmartPointer<vtkPolyData>> tool_surfaces(const Resolved& model) {
-  constexpr double any_duration = 1.0;  // s; the surfaces are those at the start
-  const auto gathered = foreign::gather(model.scene, model.card, model.mesh, model.tools, any_duration, "");
+std::vector<vtkSmartPointer<vtkPolyData>> tool_surfaces(const std::vector<NearTool>& tools) {
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  for (const foreign::ToolMotion& tool : gathered.tools) surfaces.push_back(surface_of(mesh_of_tool(gathered, tool)));
+  for (const NearTool& tool : tools) surfaces.push_back(surface_of(tool.surface));
   return surfaces;
 }
 

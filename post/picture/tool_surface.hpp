@@ -1,4 +1,4 @@
-// The tools of a scene as surfaces to be drawn; those that go on for ever end where the fabric cannot get to.
+// The tools of a scene as surfaces to be drawn.
 #pragma once
 
 #include <vtkPolyData.h>
@@ -6,11 +6,11 @@
 
 #include <vector>
 
-#include "mesher/resolve/resolved.hpp"
+#include "post/forming/tools_near.hpp"
 
 namespace weaveform {
 
-// In the scene's order, where they stand at the start (mm).
-[[nodiscard]] std::vector<vtkSmartPointer<vtkPolyData>> tool_surfaces(const Resolved& model);
+// In the same order, where they stand at the start (mm).
+[[nodiscard]] std::vector<vtkSmartPointer<vtkPolyData>> tool_surfaces(const std::vector<NearTool>& tools);
 
 }  // namespace weaveform

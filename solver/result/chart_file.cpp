@@ -23,17 +23,6 @@ void tell_once(const std::string& reason) {
   if (hearer()) std::call_once(told, [&] { hearer()(reason + "; the charts are left out"); });
 }
 
-void write_drawing(const fs::path& file, const std::function<std::string()>& draw) {
-  std::string drawing;
-  try {
-    drawing = draw();
-  } catch (const FileError& error) {
-    fs::remove(file);
-    return tell_once(error.what());
-  }
-  write_text_whole(file, drawing);
-}
-
 }  // namespace
 
 void hear_of_missing_charts(std::function<void(const std::string&)> hears) {
@@ -41,11 +30,14 @@ void hear_of_missing_charts(std::function<void(const std::string&)> hears) {
 }
 
 void write_chart(const fs::path& file, const Chart& chart) {
-  write_drawing(file, [&] { return to_svg(chart); });
-}
-
-void write_chart_page(const fs::path& file, const std::string& title, const std::vector<Chart>& charts) {
-  write_drawing(file, [&] { return to_html(title, charts); });
+  std::string drawing;
+  try {
+    drawing = to_svg(chart);
+  } catch (const FileError& error) {
+    fs::remove(file);
+    return tell_once(error.what());
+  }
+  write_text_whole(file, drawing);
 }
 
 }  // namespace weaveform

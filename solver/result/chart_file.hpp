@@ -15,9 +15,6 @@ namespace weaveform {
 // cannot be written.
 void write_chart(const std::filesystem::path& file, const Chart& chart);
 
-// The same for a page of charts (to_html).
-void write_chart_page(const std::filesystem::path& file, const std::string& title, const std::vector<Chart>& charts);
-
 // Who is told, once for all charts of the process, why charts are left out; a setting of the whole process, made by the
 // program before any is written. Nobody at first.
 void hear_of_missing_charts(std::function<void(const std::string& reason)> hears);

@@ -12,6 +12,7 @@ set(CHAIN_SOURCES
   chain/export_test.cpp
   chain/forming_test.cpp
   chain/render_test.cpp
+  chain/report_test.cpp
   chain/resolve_once_test.cpp
   chain/stages_test.cpp
   chain/symmetry_test.cpp

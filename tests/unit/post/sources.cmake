@@ -13,6 +13,7 @@ set(UNIT_POST_SOURCES
   unit/post/output/contours_test.cpp
   unit/post/output/summary_test.cpp
   unit/post/post_test.cpp
+  unit/post/report/report_test.cpp
   unit/post/transfer/transfer_test.cpp
   unit/post/trust/advice_keys_test.cpp
   unit/post/trust/trust_tools_test.cpp
