@@ -2,11 +2,10 @@
 import { h } from '../elements.js';
 import { titleWithUnit } from '../words.js';
 import { css } from '../colour_maps.js';
-import { yarn_colours } from './drawn_part.js';
+import { yarnColours } from './drawn_part.js';
 import { view_names } from './camera.js';
 
-function check(label, on, changed, colour = null) {
-  const swatch = colour ? h('span', { class: 'swatch line', style: `background:${css(colour)}` }) : null;
+function check(label, on, changed, swatch = null) {
   return h('label', { class: 'check' }, h('input', { type: 'checkbox', checked: on, onchange: (event) => changed(event.target.checked) }), swatch, label);
 }
 
@@ -32,7 +31,8 @@ export function makeControls({ model, tool_names, state }, actions) {
     lines.replaceChildren(...offers.map(([value, text]) => h('option', { value, selected: value === state.isolines }, text)));
   }
 
-  const toggle = (key, label, colour) => check(label, state[key], (on) => actions.set({ [key]: on }), colour);
+  const swatches = { warp: h('span', { class: 'swatch line' }), weft: h('span', { class: 'swatch line' }) };
+  const toggle = (key, label) => check(label, state[key], (on) => actions.set({ [key]: on }), swatches[key]);
   const withMember = (set, member, on) => {
     const next = new Set(set);
     on ? next.add(member) : next.delete(member);
@@ -46,8 +46,8 @@ export function makeControls({ model, tool_names, state }, actions) {
     group('Isolines', lines),
     group(
       'Lines',
-      has_yarns && toggle('warp', 'warp', yarn_colours.warp),
-      has_yarns && toggle('weft', 'weft', yarn_colours.weft),
+      has_yarns && toggle('warp', 'warp'),
+      has_yarns && toggle('weft', 'weft'),
       toggle('edges', 'cell edges'),
     ),
     tool_names.length > 0 &&
@@ -60,6 +60,7 @@ export function makeControls({ model, tool_names, state }, actions) {
     update() {
       fields.value = state.field?.name ?? '';
       offerLines(state.field);
+      for (const [name, colour] of Object.entries(yarnColours(state.field))) swatches[name].style.background = css(colour);
     },
   };
 }
