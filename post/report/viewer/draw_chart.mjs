@@ -31,10 +31,10 @@ function readChart(file) {
 // its own bookkeeping (what to do when hovered) is of no use in a document.
 function plainSvg(svg, title) {
   const escaped = (title ?? '').replace(/&/g, '&amp;').replace(/</g, '&lt;');
-  return svg
+  const bare = svg
     .replace(/ (ecmeta_[a-z_]+|class|pointer-events)="[^"]*"/g, '')
-    .replace(/<style[^>]*>[^]*?<\/style>\n?/g, '')
-   .replace(/(<svg[^>]*>)/, `$1\n<title>${escaped}</title>`) + '\n';
+    .replace(/<style[^>]*>[^]*?<\/style>\n?/g, '');
+  return `${bare.replace(/<svg[^>]*>/, (head) => `${head}\n<title>${escaped}</title>`)}\n`;
 }
 
 const [input, output, width = '640', height = '400'] = process.argv.slice(2);

@@ -3,7 +3,8 @@ import { numberText } from './words.js';
 
 /** Okabe and Ito's colours, the dark ones first. */
 export const series_colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000', '#7a6a00'];
-const font = { family: 'system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif', size: 12 };
+// without quotes: ECharts does not escape them in its SVG
+const font = { family: 'system-ui, Helvetica, Arial, sans-serif', size: 12 };
 const ink = '#333';
 const quiet = '#e6e6e6';
 // as paths, because ECharts stretches its own shapes to the legend's width
