@@ -2,8 +2,8 @@
 // documents, by the ECharts of node_modules; the same file gives the same bytes. WIDTH and HEIGHT are pixels (640 400).
 // Exit codes: 2 wrong input, 4 a file cannot be read or written.
 import { readFileSync, writeFileSync } from 'node:fs';
-import { chartOption } from './src/chart_option.js';
-import { init } from './src/echarts_parts.js';
+import { chartOption, textWidth } from './src/chart_option.js';
+import { init, setPlatformAPI } from './src/echarts_parts.js';
 
 function fail(message, code) {
   console.error(`error: ${message}`);
@@ -41,6 +41,8 @@ const [input, output, width = '640', height = '400'] = process.argv.slice(2);
 if (!output || !(Number(width) > 0) || !(Number(height) > 0)) fail('usage: node draw_chart.mjs FILE.json FILE.svg [WIDTH HEIGHT]', 2);
 const chart = readChart(input);
 const size = { width: Number(width), height: Number(height) };
+// without a screen nothing measures text; a guess on the safe side keeps labels apart in any reader's font
+setPlatformAPI({ measureText: (text, font) => ({ width: textWidth(text ?? '', parseFloat(font?.match(/([\d.]+)px/)?.[1] ?? '12')) }) });
 const drawn = init(null, null, { renderer: 'svg', ssr: true, ...size });
 drawn.setOption(chartOption(chart, { ...size, interactive: false }));
 const svg = plainSvg(drawn.renderToSVGString(), chart.title);

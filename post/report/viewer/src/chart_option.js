@@ -17,7 +17,7 @@ const few = 12; // points of a line up to which each has a symbol
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 
 // Wide enough for most letters of the font: labels may get too much room, not too little.
-const textWidth = (text) => 0.56 * font.size * text.length;
+export const textWidth = (text, size = font.size) => 0.58 * size * text.length;
 
 /** Rows that a legend of these names takes in `width` pixels. */
 function legendRows(names, width) {
@@ -198,7 +198,7 @@ export function chartOption(chart, { width = 560, height = 380, interactive = tr
   const names = chart.series.map(({ name }) => name);
   const has_legend = names.length > 1;
   const rows = has_legend ? legendRows(names, width - 30) : 0;
-  const top = 14 + 22 * rows;
+  const top = 12 + 26 * rows;
   const label_width = yLabelWidth(chart);
   const left = Math.round(label_width + 38);
   const room = { left, top, width: width - left - 26, height: height - top - 54 };
@@ -219,7 +219,7 @@ export function chartOption(chart, { width = 560, height = 380, interactive = tr
     backgroundColor: '#fff',
     textStyle: { fontFamily: font.family, fontSize: font.size, color: ink },
     grid: { ...(square?.grid ?? room), outerBoundsMode: 'none' },
-    legend: has_legend ? { show: true, data: chart.series.map(legendEntry), top: 4, left: 'center', width: width - 30, itemGap: 14, textStyle: { fontFamily: font.family, fontSize: font.size, color: ink } } : { show: false },
+    legend: has_legend ? { show: true, data: chart.series.map(legendEntry), top: 4, left: 'center', width: width - 30, itemGap: 12, textStyle: { fontFamily: font.family, fontSize: font.size, color: ink } } : { show: false },
     xAxis: x,
     yAxis: { ...axisOf(chart, 'y', Math.round(label_width + 14)), ...square?.y },
     series,
