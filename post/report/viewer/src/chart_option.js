@@ -3,16 +3,21 @@ import { numberText } from './words.js';
 
 /** Okabe and Ito's colours, the dark ones first. */
 export const series_colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000', '#7a6a00'];
-const font = { family: 'system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif', size: 12 };
+// without quotes: ECharts does not escape them in its SVG
+const font = { family: 'system-ui, Helvetica, Arial, sans-serif', size: 12 };
 const ink = '#333';
 const quiet = '#e6e6e6';
 // as paths, because ECharts stretches its own shapes to the legend's width
 const symbols = ['circle', 'path://M0,0H9V9H0Z', 'path://M5,0L10,9H0Z', 'path://M5,0L10,5L5,10L0,5Z', 'emptyCircle'];
 
+// what a line without symbols looks like in the legend: ECharts would put a circle on it
+const line_icons = { line: 'path://M0,0H24V2H0Z', dashed: 'path://M0,0H9V2H0ZM15,0H24V2H15Z' };
+const few = 12; // points of a line up to which each has a symbol
+
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 
 // Wide enough for most letters of the font: labels may get too much room, not too little.
-const textWidth = (text) => 0.56 * font.size * text.length;
+export const textWidth = (text, size = font.size) => 0.58 * size * text.length;
 
 /** Rows that a legend of these names takes in `width` pixels. */
 function legendRows(names, width) {
@@ -149,13 +154,19 @@ function seriesOf(series, index, chart, interactive) {
   return {
     ...common,
     type: 'line',
-    showSymbol: data.length <= 12,
-    symbol: data.length <= 12 ? symbols[index % symbols.length] : 'none',
+    showSymbol: data.length <= few,
+    symbol: data.length <= few ? symbols[index % symbols.length] : 'none',
     symbolSize: 7,
     connectNulls: false,
     lineStyle: { width: 1.8, type: series.style === 'dashed' ? 'dashed' : 'solid', color: colour },
     ...(interactive && data.length > 3000 ? { sampling: 'lttb' } : {}),
   };
+}
+
+// A legend entry; lines with symbols are drawn by ECharts as they are.
+function legendEntry({ name, style, x }) {
+  const plain_line = style !== 'bars' && style !== 'points' && (x?.length ?? 0) > few;
+  return plain_line ? { name, icon: line_icons[style] ?? line_icons.line } : { name };
 }
 
 // Titles by themselves name the axes; a hover says the number and what it is of.
@@ -187,7 +198,7 @@ export function chartOption(chart, { width = 560, height = 380, interactive = tr
   const names = chart.series.map(({ name }) => name);
   const has_legend = names.length > 1;
   const rows = has_legend ? legendRows(names, width - 30) : 0;
-  const top = 14 + 22 * rows;
+  const top = 12 + 26 * rows;
   const label_width = yLabelWidth(chart);
   const left = Math.round(label_width + 38);
   const room = { left, top, width: width - left - 26, height: height - top - 54 };
@@ -208,7 +219,7 @@ export function chartOption(chart, { width = 560, height = 380, interactive = tr
     backgroundColor: '#fff',
     textStyle: { fontFamily: font.family, fontSize: font.size, color: ink },
     grid: { ...(square?.grid ?? room), outerBoundsMode: 'none' },
-    legend: has_legend ? { show: true, data: names, top: 4, left: 'center', width: width - 30, itemGap: 14, textStyle: { fontFamily: font.family, fontSize: font.size, color: ink } } : { show: false },
+    legend: has_legend ? { show: true, data: chart.series.map(legendEntry), top: 4, left: 'center', width: width - 30, itemGap: 12, textStyle: { fontFamily: font.family, fontSize: font.size, color: ink } } : { show: false },
     xAxis: x,
     yAxis: { ...axisOf(chart, 'y', Math.round(label_width + 14)), ...square?.y },
     series,

@@ -6,4 +6,4 @@ import { SVGRenderer } from 'echarts/renderers';
 
 use([BarChart, LineChart, ScatterChart, DataZoomInsideComponent, GridComponent, LegendComponent, MarkLineComponent, TooltipComponent, SVGRenderer]);
 
-export { init } from 'echarts/core';
+export { init, setPlatformAPI } from 'echarts/core';

@@ -2,12 +2,14 @@
 import { h } from '../elements.js';
 import { titleWithUnit } from '../words.js';
 import { css } from '../colour_maps.js';
-import { yarn_colours } from './drawn_part.js';
+import { yarnColours } from './drawn_part.js';
 import { view_names } from './camera.js';
 
-function check(label, on, changed, colour = null) {
-  const swatch = colour ? h('span', { class: 'swatch line', style: `background:${css(colour)}` }) : null;
-  return h('label', { class: 'check' }, h('input', { type: 'checkbox', checked: on, onchange: (event) => changed(event.target.checked) }), swatch, label);
+// A checkbox; `isOn` tells its state, which update() of all checkboxes asks again.
+function check(boxes, label, isOn, changed, swatch = null) {
+  const box = h('input', { type: 'checkbox', onchange: (event) => changed(event.target.checked) });
+  boxes.push(() => (box.checked = isOn()));
+  return h('label', { class: 'check' }, box, swatch, label);
 }
 
 const group = (title, ...children) => h('div', { class: 'group', role: 'group', 'aria-label': title }, h('span', { class: 'group-title' }, title), ...children);
@@ -32,7 +34,9 @@ export function makeControls({ model, tool_names, state }, actions) {
     lines.replaceChildren(...offers.map(([value, text]) => h('option', { value, selected: value === state.isolines }, text)));
   }
 
-  const toggle = (key, label, colour) => check(label, state[key], (on) => actions.set({ [key]: on }), colour);
+  const boxes = [];
+  const swatches = { warp: h('span', { class: 'swatch line' }), weft: h('span', { class: 'swatch line' }) };
+  const toggle = (key, label) => check(boxes, label, () => state[key], (on) => actions.set({ [key]: on }), swatches[key]);
   const withMember = (set, member, on) => {
     const next = new Set(set);
     on ? next.add(member) : next.delete(member);
@@ -46,20 +50,22 @@ export function makeControls({ model, tool_names, state }, actions) {
     group('Isolines', lines),
     group(
       'Lines',
-      has_yarns && toggle('warp', 'warp', yarn_colours.warp),
-      has_yarns && toggle('weft', 'weft', yarn_colours.weft),
+      has_yarns && toggle('warp', 'warp'),
+      has_yarns && toggle('weft', 'weft'),
       toggle('edges', 'cell edges'),
     ),
     tool_names.length > 0 &&
-      group('Tools', tool_names.map((name) => check(name, state.tools.has(name), (on) => actions.set({ tools: withMember(state.tools, name, on) })))),
+      group('Tools', tool_names.map((name) => check(boxes, name, () => state.tools.has(name), (on) => actions.set({ tools: withMember(state.tools, name, on) })))),
     model.plies.length > 1 &&
-      group('Plies', model.plies.map((ply) => check(String(ply + 1), true, (on) => actions.set({ hidden_plies: withMember(state.hidden_plies, ply, !on) })))),
+      group('Plies', model.plies.map((ply) => check(boxes, String(ply + 1), () => !state.hidden_plies.has(ply), (on) => actions.set({ hidden_plies: withMember(state.hidden_plies, ply, !on) })))),
   );
   return {
     element,
     update() {
       fields.value = state.field?.name ?? '';
+      boxes.forEach((ask) => ask());
       offerLines(state.field);
+      for (const [name, colour] of Object.entries(yarnColours(state.field))) swatches[name].style.background = css(colour);
     },
   };
 }

@@ -4,7 +4,11 @@ import { isolines } from './isolines.js';
 import { centreOf, cornersOf, nodeMeans, nodeNormals } from './model.js';
 import { makeLines, makeSurface, polygonsOf } from './shapes.js';
 
-export const yarn_colours = { warp: [213, 94, 0], weft: [255, 255, 255] };
+/** Seen on every colour of the field's map. */
+export function yarnColours(field) {
+  return { warp: [213, 94, 0], weft: field?.scale === 'sequential' ? [255, 255, 255] : [0, 0, 0] };
+}
+
 const plain = [222, 218, 208];
 const mark_colour = [255, 0, 140];
 
@@ -46,8 +50,8 @@ export function drawPart(stage, model) {
   const surface = makeSurface();
   const lines = {
     edges: makeLines([60, 60, 60]),
-    warp: makeLines(yarn_colours.warp),
-    weft: makeLines(yarn_colours.weft),
+    warp: makeLines([0, 0, 0]),
+    weft: makeLines([0, 0, 0]),
     levels: makeLines([10, 10, 10], 2),
     mark: makeLines(mark_colour, 3),
   };
@@ -106,6 +110,7 @@ export function drawPart(stage, model) {
         lines[name].actor.setVisibility(Boolean(state[name]));
         if (state[name]) lines[name].setPositions(positions);
       }
+      for (const [name, colour] of Object.entries(yarnColours(field))) lines[name].setColour(colour);
       drawLevels(state, positions);
       drawMark(state.picked, positions);
     },

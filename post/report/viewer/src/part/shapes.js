@@ -95,6 +95,9 @@ export function makeLines([r, g, b], width = 1) {
   property.setLineWidth(width);
   return {
     actor,
+    setColour([red, green, blue]) {
+      property.setColor(red / 255, green / 255, blue / 255);
+    },
     /** Pairs of nodes. */
     setPairs(pairs) {
       data.setLines(cellArray(counted(pairs, 2)));
@@ -128,6 +131,8 @@ export function makePoints(positions, size) {
   };
 }
 
+const glass_offset = 20000; // in the smallest steps of depth: some half a millimetre of a part of 600 mm
+
 /** A tool: glass, moved as a whole. */
 export function makeGlass(positions, triangles) {
   const { actor, mapper, data } = makeActor();
@@ -135,6 +140,8 @@ export function makeGlass(positions, triangles) {
   data.setPolys(cellArray(counted(triangles, 3)));
   mapper.setScalarVisibility(false);
   const property = actor.getProperty();
+  // Fabric that lies on the glass, or a little in it where the tool's triangles cut the curve short, is seen whole.
+  mapper.setRelativeCoincidentTopologyPolygonOffsetParameters(2, glass_offset);
   property.setColor(0.45, 0.58, 0.7);
   property.setOpacity(0.22);
   property.setAmbient(0.3);
