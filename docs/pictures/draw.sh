@@ -43,7 +43,8 @@ put() {
 
 draw() {
   local name=$1 scene=$2 run_options=$3 render_options=$4
-  local result="$scratch/$(basename "$name")"
+  local result
+  result="$scratch/$(basename "$name")"
   # shellcheck disable=SC2086  # options are words
   "$program" run "$root/examples/$scene" --output "$result" --quiet --set output.frames=2 $run_options &&
     "$program" render "$result" --output "$scratch/drawn.png" --force --quiet $render_options &&

@@ -2,12 +2,14 @@
 
     follow.py PROGRAM [DOCUMENT] [--show]
 
-Every line of the document's ```sh blocks is run in order, whatever program it calls, in one empty folder in which `examples` and
-`python` are the project's and `weaveform` is PROGRAM; lines that say "# not run" are left out, and "# exit N" is the exit code
-that is expected (0 otherwise). Every line of a ```text block must be among what the commands of the ```sh block before it
-printed , in the same order: the same words, and numbers that differ by 2 %
-or by one in the last printed digit at most. Times (a number before " s") and runs of blanks are not compared; a line "..." stands for
-any lines, " ..." at the end of a line for any words. --show prints what came out. Ends with 1, and what differs by line, when the document does not hold.
+Every line of the document's ```sh blocks is run in order, whatever program it calls, in one empty folder in which
+`examples` and `python` are the project's and `weaveform` is PROGRAM; lines that say "# not run" are left out (not
+those that say "# not run alone", which tests/robust/docs_commands_test.cpp leaves out, for it runs no other program
+than weaveform), and "# exit N" is the exit code that is expected (0 otherwise). Every line of a ```text block must be
+among what the commands of the ```sh block before it printed, in the same order: the same words, and numbers that
+differ by 2 % or by one in the last printed digit at most. Times (a number before " s") and runs of blanks are not
+compared; a line "..." stands for any lines, " ..." at the end of a line for any words. --show prints what came out.
+Ends with 1, and what differs by line, when the document does not hold.
 """
 import argparse
 import os
@@ -48,7 +50,7 @@ def commands(first, lines):
         if joined.endswith("\\"):
             joined = joined[:-1] + " "
             continue
-        if joined.strip() and not re.search(r"#.*\bnot run\b", joined):
+        if joined.strip() and not re.search(r"#.*\bnot run\b(?! alone)", joined):
             code = re.search(r"#.*\bexit (\d+)", joined)
             yield begin, joined, int(code.group(1)) if code else 0
         joined = ""
