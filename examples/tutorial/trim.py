@@ -2,9 +2,10 @@
 
     python3 examples/tutorial/trim.py RESULT HEIGHT NAME
 
-cuts the last frame of the result folder RESULT by the plane z = HEIGHT (mm) and writes the longest closed curve twice, point by
-point, the first again at the end: NAME_formed.csv (x_mm,y_mm,z_mm, on the formed fabric) and NAME_flat.csv (x_mm,y_mm, on the flat blank: `blank.outline`
-of a scene reads it). Needs the package in python/ and VTK. Ends with a message when the plane cuts no closed curve.
+cuts the last frame of the result folder RESULT by the plane z = HEIGHT (mm) and writes the longest closed curve twice,
+point by point, the first again at the end: NAME_formed.csv (x_mm,y_mm,z_mm, on the formed fabric) and NAME_flat.csv
+(x_mm,y_mm, on the flat blank: `blank.outline` of a scene reads it). Needs the package in python/ and VTK. Ends with a
+message when the plane cuts no closed curve.
 """
 import sys
 
