@@ -212,6 +212,8 @@ function run(data, model, state, parts) {
     set,
     pickCell,
     picked: () => (state.picked >= 0 ? describeCell(model, state.picked, state.frame) : null),
+    cellCount: () => model.cell_count,
+    cell: (cell) => describeCell(model, cell, state.frame),
     cellOnScreen: (cell) => pointOnScreen(part.centre(cell, state.frame)),
     look: lookFrom,
     camera: () => ({ position: camera.getPosition(), focal_point: camera.getFocalPoint(), view_up: camera.getViewUp() }),

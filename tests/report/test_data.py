@@ -1,0 +1,126 @@
+"""Pages made by hand: what the results at hand do not have (plies, words on an axis), broken data, a browser without WebGL."""
+
+import base64
+import json
+import struct
+from pathlib import Path
+
+import pytest
+
+from page import Page, no_drawing, start_browser
+
+packed = Path(__file__).resolve().parents[2] / "post" / "report" / "viewer" / "packed"
+
+
+def coded(form, values):
+    return base64.b64encode(struct.pack(f"<{len(values)}{form}", *values)).decode()
+
+
+def two_plies():
+    """Two squares of 100 mm, 10 mm apart, the upper (ply 2) turned by nothing: fields on cells, on nodes, and of names."""
+    corners = [(0, 0), (100, 0), (100, 100), (0, 100)]
+    position = [int(v) for z in (0, 10) for x, y in corners for v in (x, y, z)]
+    return {
+        "format": 1, "kind": "result", "title": "two plies", "subtitle": "",
+        "verdict": {"headline": "By hand.", "rows": [{"name": "<b>x</b>", "value": "1", "note": "", "cell": 1}], "warnings": [], "trust": []},
+        "part": {
+            "node_count": 8, "cell_count": 2, "thinned": "", "cells": coded("I", range(8)), "plies": coded("B", [0, 1]),
+            "yarns": {"warp": coded("I", [0, 1, 4, 5]), "weft": coded("I", [1, 2])},
+            "position": {"origin": [0, 0, 0], "step": 1.0},
+            "fields": [
+                {"name": "shear_angle", "title": "shear angle", "unit": "°", "scale": "sequential", "from": 0, "to": 50, "limit": 40, "association": "cells"},
+                {"name": "slip", "title": "slip between plies", "unit": "mm", "scale": "diverging", "from": -2, "to": 6, "limit": None, "association": "nodes"},
+                {"name": "friction", "title": "friction", "unit": "", "scale": "categories", "from": 0, "to": 2, "category_names": ["no contact", "sticks", "slips"], "limit": None, "association": "cells"},
+            ],
+            "frames": [{"label": "the end", "position": coded("h", position), "fields": {
+                "shear_angle": coded("H", [0, 65535]), "slip": coded("H", [0] * 4 + [65534] * 4), "friction": coded("H", [32767, 65534])}}],
+        },
+        "tools": [], "measured": None, "tables": [], "texts": [{"title": "Scene", "text": "</script><b>not bold</b>"}], "facts": [],
+        "charts": [{"id": "cases", "title": "Cases", "x": {"title": "case", "log": False}, "y": {"title": "force (N)", "log": False},
+                    "series": [{"name": "force", "x": ["fine", "coarse"], "y": [1.0, None], "style": "bars"}], "marks": []}],
+    }
+
+
+def glue(data, file):
+    text = data if isinstance(data, str) else json.dumps(data).replace("</", "<\\/")
+    file.write_text(
+        f'<!doctype html><meta charset="utf-8"><title>by hand</title><style>{(packed / "report.css").read_text()}</style>'
+        f'<main id="report"></main><script type="application/json" id="weaveform-data">{text}</script>'
+        f'<script>{(packed / "report.js").read_text()}</script>')
+    return file
+
+
+def test_the_ray_meets_the_upper_ply_and_with_it_hidden_the_lower(opened, tmp_path):
+    page = opened(glue(two_plies(), tmp_path / "page.html"))
+    page.script("report.look('top') ?? 0")
+    page.show(".canvas-box")
+    place = page.script("report.cellOnScreen(1)")
+    page.mouse_to(place, click=True)
+    assert page.script("report.picked().cell") == 1
+    assert "no value" not in page.text(".pick") and "–" in page.text(".pick"), "no shear angle there"
+    [label] = [each for each in page.browser.find_elements("css selector", "[aria-label=Plies] label") if each.text.strip() == "2"]
+    label.click()
+    page.show(".canvas-box")
+    page.mouse_to(page.script("report.cellOnScreen(0)"), click=True)
+    picked = page.script("report.picked()")
+    assert (picked["cell"], picked["ply"]) == (0, 1)
+    assert picked["centre"] == pytest.approx([50, 50, 0])
+    assert [value["text"] for value in picked["values"]] == ["0°", "−2 mm", "sticks"]
+    assert page.complaints() == []
+
+
+def test_of_two_signs_zero_has_the_middle_of_the_colours(opened, tmp_path):
+    page = opened(glue(two_plies(), tmp_path / "page.html"))
+    page.script("report.setField('slip')")
+    assert page.script("report.range()") == {"from": -6, "to": 6}
+
+
+def test_text_of_a_result_is_never_markup(opened, tmp_path):
+    page = opened(glue(two_plies(), tmp_path / "page.html"))
+    assert page.text(".number dt") == "<b>x</b>"
+    page.find("summary").click()
+    assert page.text("pre") == "</script><b>not bold</b>"
+
+
+def spoil(change):
+    data = two_plies()
+    change(data)
+    return data
+
+
+@pytest.mark.parametrize("data, words", [
+    ('{"format": 1, "title":', "damaged or cut off"),
+    (spoil(lambda data: data.update(format=7)), "format 7"),
+    (spoil(lambda data: data["part"].update(cells=coded("I", [0, 1, 2]))), "cells of the part: 3 values where 8 belong"),
+    (spoil(lambda data: data["part"].update(cells=coded("I", [0, 1, 2, 9] * 2))), "index 9 where there are 8"),
+    (spoil(lambda data: data["part"]["frames"][0].update(position="!")), "positions of frame 0: not base64"),
+])
+def test_broken_data_is_told_in_words_and_leaves_the_rest(data, words, opened, tmp_path):
+    page = opened(glue(data, tmp_path / "page.html"))
+    assert words in page.text(".trouble")
+    assert page.complaints() == []
+    if isinstance(data, dict) and data["format"] == 1:
+        assert page.text("#verdict .headline") == "By hand."
+        assert page.script("report.charts()") == ["cases"]
+
+
+def test_without_webgl_says_so_and_shows_the_rest(tmp_path):
+    browser = start_browser(no_drawing)
+    try:
+        page = Page(browser, glue(two_plies(), tmp_path / "page.html"))
+        assert "WebGL" in page.text("#part .trouble")
+        assert page.script("report.charts()") == ["cases"]
+        assert page.find("#chart-cases svg").is_displayed()
+        assert page.complaints() == []
+    finally:
+        browser.quit()
+
+
+@pytest.mark.parametrize("width", [420, 1400])
+def test_nothing_is_wider_than_the_window(width, opened, tmp_path):
+    page = opened(glue(two_plies(), tmp_path / "page.html"))
+    page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+    try:
+        assert page.script("document.documentElement.scrollWidth") <= width
+    finally:
+        page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
