@@ -14,6 +14,7 @@
 #include "core/files/files.hpp"
 #include "core/files/text_words.hpp"
 #include "post/picture/picture.hpp"
+#include "post/picture/sheet.hpp"
 
 namespace weaveform {
 namespace {
@@ -71,7 +72,7 @@ void require_ending(const PictureArguments& arguments) {
 }
 
 void draw_one(ResultFolder& folder, const PictureArguments& arguments) {
-  const std::size_t count = folder.frames().size();
+  const std::size_t count = frames_to_draw(folder).size();
   if (arguments.frame && static_cast<std::size_t>(*arguments.frame) >= count)
     throw InputError(
         fmt::format("--frame {}: {} has the frames 0 to {}", *arguments.frame, arguments.directory, count - 1));
@@ -81,7 +82,7 @@ void draw_one(ResultFolder& folder, const PictureArguments& arguments) {
 
 void draw_film(ResultFolder& folder, const PictureArguments& arguments) {
   if (arguments.frame) throw InputError("--frame and --animate: a film is of all frames; leave one of the two");
-  std::vector<std::size_t> frames(folder.frames().size());
+  std::vector<std::size_t> frames(frames_to_draw(folder).size());
   std::iota(frames.begin(), frames.end(), std::size_t{0});
   Pictures pictures(folder, spec_of(arguments), frames);
   const PictureFolder scratch;

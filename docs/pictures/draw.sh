@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # draw.sh PROGRAM [NAME...]: redraws the pictures of this folder with PROGRAM (a built weaveform), all of them or those named (hemisphere,
 # tutorial/formed, ...). Each is one scene run in seconds, coarser than it stands where it would take longer, and one
-# `weaveform render`; the tables below are the only list. Colours are reduced to 64 by pngquant where it is installed. The net is drawn by the
-# Python package, as docs/tutorial.md does. Ends with 1 when a scene or picture failed, after the others; results are not kept.
+# `weaveform render`; the tables below are the only list. Colours are reduced to 64 by pngquant where it is installed. Ends
+# with 1 when a scene or picture failed, after the others; results are not kept.
 set -euo pipefail
 
 program=$(realpath "${1:?draw.sh PROGRAM [NAME...]}")
@@ -53,10 +53,18 @@ draw() {
 
 draw_net() {
   "$program" drape "$root/examples/tutorial/drape.toml" --output "$scratch/net" --quiet &&
-    PYTHONPATH="$root/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c "
-import sys, weaveform as wf
-wf.open(sys.argv[1]).drape.picture(sys.argv[2], 'absolute_shear_angle_deg', size=(800, 600))" "$scratch/net" "$scratch/drawn.png" &&
+    "$program" render "$scratch/net" --output "$scratch/drawn.png" --force --quiet --size 800 600 &&
     put "$scratch/drawn.png" tutorial/net
+}
+
+# The first screens of a report, by Chromium; left as it is where that is not installed.
+draw_report() {
+  command -v chromium >/dev/null || return 0
+  "$program" run "$root/examples/hemisphere_pw_fast.toml" --output "$scratch/report" --report --quiet &&
+    HOME="$scratch" chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars \
+      --virtual-time-budget=9000 --window-size=1200,1750 --screenshot="$scratch/drawn.png" "file://$scratch/report/report.html" \
+      >/dev/null 2>&1 &&
+    put "$scratch/drawn.png" report
 }
 
 failed=()
@@ -67,5 +75,6 @@ while IFS='|' read -r name scene run_options render_options; do
   is_wanted "$name" || continue
   draw "$name" "$scene" "$run_options" "$render_options" </dev/null || failed+=("$name")
 done <<<"$pictures"
+if is_wanted report; then draw_report || failed+=(report); fi
 if is_wanted tutorial/net; then draw_net || failed+=(tutorial/net); fi
 ((${#failed[@]} == 0)) || { echo "not drawn: ${failed[*]}" >&2; exit 1; }

@@ -22,12 +22,19 @@ double at_time(const History& history, const std::vector<double>& value, double 
 
 std::vector<PlacedTool> place_tools(const std::vector<Tool>& tools, const History& history, double time) {
   std::vector<PlacedTool> placed;
-  for (const Tool& tool : tools) {
-    const double way = at_time(history, history.values(tool.name + ".displacement_mm"), time);
-    placed.push_back({tool, tool.start});
-    for (int c = 0; c < 3; ++c) placed.back().place.origin[c] += way * tool.direction[c];
+  const std::vector<Vec3> moved = displacements(tools, history, time);
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    placed.push_back({tools[t], tools[t].start});
+    for (std::size_t c = 0; c < 3; ++c) placed.back().place.origin[c] += moved[t][c];
   }
   return placed;
+}
+
+std::vector<Vec3> displacements(const std::vector<Tool>& tools, const History& history, double time) {
+  std::vector<Vec3> moved;
+  for (const Tool& tool : tools)
+    moved.push_back(scaled(tool.direction, at_time(history, history.values(tool.name + ".displacement_mm"), time)));
+  return moved;
 }
 
 Gap gap_to(const PlacedTool& tool, const Eigen::Vector3d& x) {

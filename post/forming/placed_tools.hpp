@@ -18,6 +18,9 @@ struct PlacedTool {
 // Displacements from the history, between its rows in a straight line. Throws InputError when it lacks a column.
 [[nodiscard]] std::vector<PlacedTool> place_tools(const std::vector<Tool>& tools, const History& history, double time);
 
+// How far each has moved since the start, mm. Throws likewise.
+[[nodiscard]] std::vector<Vec3> displacements(const std::vector<Tool>& tools, const History& history, double time);
+
 struct Gap {
   double gap = 0.0;                                  // mm; from the fabric's face to the tool, negative inside it
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit; outwards from the tool

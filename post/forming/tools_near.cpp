@@ -2,8 +2,6 @@
 
 #include <map>
 
-#include "post/forming/placed_tools.hpp"
-
 namespace weaveform {
 namespace {
 
@@ -54,20 +52,17 @@ foreign::ToolMesh cut_to_box(const foreign::ToolMesh& surface, const Vec3& low, 
   return inside.mesh;
 }
 
-std::vector<NearTool> tools_near(const Resolved& model, const History& history, double time, const Vec3& low,
+std::vector<NearTool> tools_near(const Resolved& model, const std::vector<Vec3>& moved, const Vec3& low,
                                  const Vec3& high) {
   constexpr double any_duration = 1.0;  // s; the surfaces are those at the start
   const auto gathered = foreign::gather(model.scene, model.card, model.mesh, model.tools, any_duration, "");
-  const auto placed = place_tools(model.tools, history, time);
   const double room = room_around * distance(low, high);
   const Vec3 around = {room, room, room};
   std::vector<NearTool> near;
-  for (std::size_t t = 0; t < gathered.tools.size(); ++t) {
-    const Vec3 moved = minus(placed[t].place.origin, placed[t].tool.start.origin);
-    near.push_back(
-        {model.scene.tools[t].name, cut_to_box(mesh_of_tool(gathered, gathered.tools[t]),
-                                               minus(minus(low, around), moved), minus(plus(high, around), moved))});
-  }
+  for (std::size_t t = 0; t < gathered.tools.size(); ++t)
+    near.push_back({model.scene.tools[t].name,
+                    cut_to_box(mesh_of_tool(gathered, gathered.tools[t]), minus(minus(low, around), moved[t]),
+                               minus(plus(high, around), moved[t]))});
   return near;
 }
 

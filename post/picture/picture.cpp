@@ -30,15 +30,16 @@
 #include "core/files/files.hpp"
 #include "core/keys/nearest_name.hpp"
 #include "core/vector/vector.hpp"
-#include "post/forming/placed_tools.hpp"
 #include "post/picture/palette.hpp"
+#include "post/picture/sheet.hpp"
 #include "post/picture/tool_surface.hpp"
 
 namespace weaveform {
 namespace {
 
-constexpr int most_yarns_seen = 20000;  // beyond, lines lie on each other and hide the field
-constexpr double flat_share = 0.02;     // of the extent: what rises less is looked at from above
+constexpr std::size_t most_yarns_seen = 20000;  // beyond, lines lie on each other and hide the field
+constexpr double nothing = 1e-6;                // of a field that is the same everywhere but for rounding
+constexpr double flat_share = 0.02;             // of the extent: what rises less is looked at from above
 
 vtkSmartPointer<vtkPoints> points_of(const std::vector<Vec3>& position) {
   auto points = vtkSmartPointer<vtkPoints>::New();
@@ -48,18 +49,18 @@ vtkSmartPointer<vtkPoints> points_of(const std::vector<Vec3>& position) {
   return points;
 }
 
-vtkSmartPointer<vtkCellArray> polygons_of(const MeshCells& cells) {
+vtkSmartPointer<vtkCellArray> polygons_of(const Sheet& sheet) {
   auto polygons = vtkSmartPointer<vtkCellArray>::New();
-  for (int cell = 0; cell < cells.size(); ++cell) {
-    polygons->InsertNextCell(cells.offset[cell + 1] - cells.offset[cell]);
-    for (int k = cells.offset[cell]; k < cells.offset[cell + 1]; ++k) polygons->InsertCellPoint(cells.node[k]);
+  for (const std::vector<int>& polygon : sheet.polygon) {
+    polygons->InsertNextCell(static_cast<int>(polygon.size()));
+    for (const int corner : polygon) polygons->InsertCellPoint(corner);
   }
   return polygons;
 }
 
-vtkSmartPointer<vtkCellArray> lines_of(const MeshYarns& yarns) {
+vtkSmartPointer<vtkCellArray> lines_of(const Sheet& sheet) {
   auto lines = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& [a, b] : yarns.node) {
+  for (const auto& [a, b] : sheet.yarn) {
     lines->InsertNextCell(2);
     lines->InsertCellPoint(a);
     lines->InsertCellPoint(b);
@@ -133,8 +134,12 @@ struct Pictures::Stage {
   vtkNew<vtkPolyData> fabric, yarns;
   std::vector<vtkSmartPointer<vtkActor>> tool;
   vtkNew<vtkTextActor> caption;
+  std::vector<FrameFile> frame_file;
+  Resolved model;  // of the tools
+  Box box;
 
-  Stage(ResultFolder& result, PictureSpec asked) : folder(result), spec(std::move(asked)) {
+  Stage(ResultFolder& result, PictureSpec asked)
+      : folder(result), spec(std::move(asked)), frame_file(frames_to_draw(result)) {
     const auto& titles = field_titles();
     const auto found =
         std::find_if(titles.begin(), titles.end(), [&](const FieldTitle& t) { return spec.field == t.array; });
@@ -147,39 +152,35 @@ struct Pictures::Stage {
     title = &*found;
   }
 
-  // One value per cell; the frame's array holds the lines' before.
-  [[nodiscard]] std::vector<double> values(std::size_t frame) {
-    std::vector<double> value = read_frame_array(folder.frames()[frame].file, spec.field);
-    const auto lines = static_cast<std::size_t>(folder.mesh().yarn_count());
-    const auto cells = static_cast<std::size_t>(folder.mesh().cells.size());
-    if (value.size() != lines + cells)
-      throw InputError(
-          fmt::format("{}: '{}' has {} values, where the mesh has {} yarn elements and {} cells; solve again",
-                      folder.frames()[frame].file.string(), spec.field, value.size(), lines, cells));
-    value.erase(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(lines));
-    return value;
+  [[nodiscard]] Sheet sheet(std::size_t frame) const { return read_sheet(frame_file[frame].file, spec.field); }
+
+  // The box of all that will be drawn, and the colours' range where the user leaves it open.
+  void look_at(const std::vector<std::size_t>& frames) {
+    std::array<double, 2> range = {1e300, -1e300};
+    for (const std::size_t frame : frames) {
+      const Sheet drawn = sheet(frame);
+      for (const Vec3& p : drawn.position) box.add(p);
+      for (const double v : drawn.value)
+        if (std::isfinite(v)) range = {std::min(range[0], v), std::max(range[1], v)};
+    }
+    if (!spec.range) spec.range = rounded_range(range);
   }
 
-  void find_range(const std::vector<std::size_t>& frames) {
-    if (spec.range) return;
-    std::array<double, 2> range = {1e300, -1e300};
-    for (const std::size_t frame : frames)
-      for (const double v : values(frame))
-        if (std::isfinite(v)) range = {std::min(range[0], v), std::max(range[1], v)};
+  // About zero, or from it, where the field asks for that; never without a width.
+  [[nodiscard]] std::array<double, 2> rounded_range(std::array<double, 2> range) const {
     if (range[0] > range[1]) range = {0.0, 1.0};
     if (title->two_signs) {
-      const double most = std::max({std::abs(range[0]), std::abs(range[1]), 1e-12});
-      range = {-most, most};
-    } else {
-      if (title->from_zero) range[0] = 0.0;
+      const double most = std::max({std::abs(range[0]), std::abs(range[1]), nothing});
+      return {-most, most};
     }
-    if (!(range[1] > range[0])) range[1] = range[0] + 1.0;
-    spec.range = range;
+    if (title->from_zero) range[0] = 0.0;
+    if (range[1] - range[0] < nothing * std::max(1.0, std::abs(range[1]))) range[1] = range[0] + 1.0;
+    return range;
   }
 
-  void build(const std::vector<std::size_t>& frames) {
-    const Mesh& mesh = folder.mesh();
-    fabric->SetPolys(polygons_of(mesh.cells));
+  void build(std::size_t first) {
+    const Sheet topology = sheet(first);
+    fabric->SetPolys(polygons_of(topology));
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(fabric);
     mapper->SetLookupTable(colours(title->two_signs ? Palette::two_signs : Palette::one_sign, *spec.range));
@@ -192,9 +193,8 @@ struct Pictures::Stage {
     actor->GetProperty()->SetDiffuse(0.6);
     renderer->AddActor(actor);
     add_colour_bar(*mapper);
-    if (spec.yarns && mesh.yarn_count() <= most_yarns_seen) add_yarns(mesh);
-    const Box box = box_of(frames);
-    if (spec.tools) add_tools(box);
+    if (spec.yarns && topology.yarn.size() <= most_yarns_seen) add_yarns(topology);
+    if (spec.tools) add_tools();
     renderer->SetBackground(1.0, 1.0, 1.0);
     renderer->UseDepthPeelingOn();
     window->SetOffScreenRendering(1);
@@ -202,7 +202,7 @@ struct Pictures::Stage {
     window->SetAlphaBitPlanes(1);
     window->SetSize(spec.size[0], spec.size[1]);
     window->AddRenderer(renderer);
-    place_camera(box);
+    place_camera();
     add_scale();
     add_caption();
   }
@@ -214,6 +214,7 @@ struct Pictures::Stage {
     bar->SetNumberOfLabels(6);
     bar->SetLabelFormat("%-#.3g");
     bar->UnconstrainedFontSizeOn();
+    bar->SetVerticalTitleSeparation(spec.size[1] / 50);
     bar->SetPosition(0.88, 0.18);
     bar->SetWidth(0.08);
     bar->SetHeight(0.64);
@@ -230,8 +231,8 @@ struct Pictures::Stage {
     text.ShadowOff();
   }
 
-  void add_yarns(const Mesh& mesh) const {
-    yarns->SetLines(lines_of(mesh.yarns));
+  void add_yarns(const Sheet& topology) const {
+    yarns->SetLines(lines_of(topology));
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(yarns);
     mapper->ScalarVisibilityOff();
@@ -245,15 +246,10 @@ struct Pictures::Stage {
     renderer->AddActor(actor);
   }
 
-  [[nodiscard]] Box box_of(const std::vector<std::size_t>& frames) {
-    Box box;
-    for (const std::size_t frame : frames)
-      for (const Vec3& p : folder.positions(folder.frames()[frame])) box.add(p);
-    return box;
-  }
-
-  void add_tools(const Box& box) {
-    const auto near = tools_near(folder.model(), folder.history(), folder.frames().back().time, box.low, box.high);
+  void add_tools() {
+    model = model_to_draw(folder);
+    if (model.tools.empty()) return;
+    const auto near = tools_near(model, tools_moved(folder, model, frame_file.back().time), box.low, box.high);
     for (const vtkSmartPointer<vtkPolyData>& surface : tool_surfaces(near)) {
       vtkNew<vtkPolyDataMapper> mapper;
       mapper->SetInputData(surface);
@@ -267,7 +263,7 @@ struct Pictures::Stage {
   }
 
   // Along the view, and near enough that fabric of all frames fills the picture.
-  void place_camera(const Box& box) {
+  void place_camera() {
     View view = spec.view;
     if (view == View::automatic)
       view = box.high[2] - box.low[2] > flat_share * box.diagonal() ? View::slant : View::top;
@@ -324,34 +320,32 @@ struct Pictures::Stage {
   }
 
   void show(std::size_t frame) {
-    const FrameFile& file = folder.frames()[frame];
-    const auto points = points_of(folder.positions(file));
+    const double time = frame_file[frame].time, end = frame_file.back().time;
+    const Sheet drawn = sheet(frame);
+    const auto points = points_of(drawn.position);
     fabric->SetPoints(points);
     yarns->SetPoints(points);
-    const std::vector<double> value = values(frame);
     vtkNew<vtkDoubleArray> scalars;
     scalars->SetName(spec.field.c_str());
-    scalars->SetNumberOfTuples(static_cast<vtkIdType>(value.size()));
-    std::copy(value.begin(), value.end(), scalars->GetPointer(0));
+    scalars->SetNumberOfTuples(static_cast<vtkIdType>(drawn.value.size()));
+    std::copy(drawn.value.begin(), drawn.value.end(), scalars->GetPointer(0));
     fabric->GetCellData()->SetScalars(scalars);
     fabric->Modified();
     yarns->Modified();
     if (!tool.empty()) {
-      const auto placed = place_tools(folder.model().tools, folder.history(), file.time);
-      for (std::size_t t = 0; t < tool.size(); ++t)
-        tool[t]->SetPosition(minus(placed[t].place.origin, placed[t].tool.start.origin).data());
+      std::vector<Vec3> moved = tools_moved(folder, model, time);
+      for (std::size_t t = 0; t < tool.size(); ++t) tool[t]->SetPosition(moved[t].data());
     }
-    caption->SetInput(fmt::format("{}, {:.0f} % of the way", folder.directory().filename().string(),
-                                  100.0 * file.time / std::max(folder.frames().back().time, 1e-300))
-                          .c_str());
+    const std::string name = std::filesystem::weakly_canonical(folder.directory()).filename().string();
+    caption->SetInput((end > 0.0 ? fmt::format("{}, {:.0f} % of the way", name, 100.0 * time / end) : name).c_str());
     renderer->ResetCameraClippingRange();
   }
 };
 
 Pictures::Pictures(ResultFolder& folder, PictureSpec spec, const std::vector<std::size_t>& frames)
     : stage_(std::make_unique<Stage>(folder, std::move(spec))) {
-  stage_->find_range(frames);
-  stage_->build(frames);
+  stage_->look_at(frames);
+  stage_->build(frames.front());
 }
 
 Pictures::~Pictures() = default;

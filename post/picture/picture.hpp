@@ -37,7 +37,7 @@ struct FieldTitle {
 // InputError for a field that the frames lack.
 class Pictures {
 public:
-  // `frames` are places in folder.frames(), one at least.
+  // `frames` are places in frames_to_draw(folder), one at least.
   Pictures(ResultFolder& folder, PictureSpec spec, const std::vector<std::size_t>& frames);
   ~Pictures();
   Pictures(const Pictures&) = delete;

@@ -33,12 +33,12 @@ Json tools_json(ResultFolder& folder, const std::vector<FrameFile>& frames, cons
   const Resolved& model = folder.model();
   Json tools = Json::array();
   if (model.tools.empty()) return tools;
-  for (const NearTool& tool : tools_near(model, folder.history(), frames.back().time, low, high))
+  std::vector<Vec3> moved = displacements(model.tools, folder.history(), frames.back().time);
+  for (const NearTool& tool : tools_near(model, moved, low, high))
     tools.push_back(surface_json(tool.name, tool.surface));
   for (const FrameFile& frame : frames) {
-    const auto placed = place_tools(model.tools, folder.history(), frame.time);
-    for (std::size_t t = 0; t < placed.size(); ++t)
-      tools[t]["motion"].push_back(minus(placed[t].place.origin, placed[t].tool.start.origin));
+    moved = displacements(model.tools, folder.history(), frame.time);
+    for (std::size_t t = 0; t < moved.size(); ++t) tools[t]["motion"].push_back(moved[t]);
   }
   return tools;
 }

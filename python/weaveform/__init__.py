@@ -9,7 +9,7 @@
 The program is found by program=..., else by the environment's WEAVEFORM, else on PATH. docs/python.md is the manual.
 """
 
-from .commands import check, compare, drape, export, fit, mesh, post, run, solve, study, virtual
+from .commands import check, compare, drape, export, fit, mesh, post, report, run, solve, study, virtual
 from .errors import (
     Defect,
     FileError,
@@ -34,5 +34,5 @@ __all__ = [
     "Answer", "Comparison", "Defect", "FileError", "Fit", "Folder", "Frame", "Frames", "Grid", "InputError",
     "Interrupted", "Line", "PhysicsError", "ProgramNotFound", "Result", "Study", "Surface", "Table",
     "WeaveformError", "call", "check", "compare", "drape", "export", "find_program", "fit", "mesh", "open", "post",
-    "program_version", "run", "solve", "study", "unit_of", "virtual", "words_of",
+    "program_version", "report", "run", "solve", "study", "unit_of", "virtual", "words_of",
 ]

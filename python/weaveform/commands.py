@@ -110,6 +110,18 @@ def export(source, file, format, overrides=None, *, program=None, progress=False
     return Path(file)
 
 
+def report(result, file=None, *, program=None, progress=False, **options):
+    """One HTML page of a result, which opens offline, by its Result or folder; the path written (default: report.html in the
+    folder)."""
+    folder = _folder_of(result)
+    target = Path(file) if file is not None else folder / "report.html"
+    arguments = ["post", "report", folder]
+    if file is not None:
+        arguments.append(f"--output={os.fspath(file)}")
+    call(arguments + option_arguments(options), program=program, progress=progress)
+    return target
+
+
 def virtual(result, overrides=None, *, output=None, **options):
     """The simulation as an instrument would have measured it: a Folder of stages/, settings.toml and loads.csv."""
     folder = _folder_of(result)

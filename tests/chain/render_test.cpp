@@ -90,6 +90,14 @@ TEST_F(Render, AFilmHasEveryFrame) {
   }
 }
 
+TEST_F(Render, ADrapeIsDrawnOnItsTool) {
+  must("weaveform drape '" WEAVEFORM_SOURCE_DIR "/examples/drape_hemisphere.toml' --output net --quiet");
+  must("weaveform render net --output net.png --size 400 300 --quiet");
+  EXPECT_TRUE(image("net.png").shows(bright));
+  EXPECT_TRUE(image("net.png").shows(dark));
+  EXPECT_TRUE(says(run("weaveform render net --output no.png --field thickness_mm"), "thickness_mm"));
+}
+
 TEST_F(Render, SaysWhatItCannotDraw) {
   const CommandResult field = run("weaveform render done --output x.png --field shear_angel_deg");
   EXPECT_EQ(field.exit_code, 2);

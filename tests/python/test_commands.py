@@ -55,6 +55,13 @@ def test_exports_are_written_where_they_are_asked_for(bias, examples, tmp_path):
         wf.export(bias, tmp_path / "x", "nastran")
 
 
+def test_a_report_is_written_where_it_is_asked_for(bias, tmp_path):
+    page = wf.report(bias, tmp_path / "page.html")
+    assert page == tmp_path / "page.html" and page.read_text().startswith("<!DOCTYPE html>")
+    with pytest.raises(wf.FileError):
+        wf.report(tmp_path / "nowhere")
+
+
 def test_a_virtual_measurement_compares_with_its_own_simulation(bias, tmp_path):
     virtual = wf.virtual(bias, {"instrument.facet_size": 10}, output=tmp_path / "virtual", progress=False)
     assert virtual.table("loads.csv").units == {"displacement_mm": "mm", "force_N": "N"}
