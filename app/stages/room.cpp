@@ -30,6 +30,8 @@ constexpr double most_crossings = 2e9;  // beyond, they cannot be numbered
 // Cells times steps a second on one thread, for the first look: a fraction of what an undisturbed core of 2020 does.
 // What comes near the limit by it is measured.
 constexpr double membrane_rate = 8e6, bending_rate = 4e6, shell_rate = 1.5e6;
+// A tool's contact over the step of a membrane: shapes, and triangles (the two of the tutorial's pan).
+constexpr double shape_share = 0.2, triangles_share = 1.8;
 constexpr double far_off = 10.0;  // a setting so many times from what would be chosen is the first to look at
 constexpr double nearly = 10.0;   // an estimate from the first step and a tabulated rate may be that wrong
 constexpr int measured_steps = 60;
@@ -102,7 +104,10 @@ double expected_rate(const Scene& scene, const Card& card) {
   const double rate = flexure.has_shell                              ? shell_rate
                       : flexure.bends_yarns || flexure.rotation_free ? bending_rate
                                                                      : membrane_rate;
-  return rate / (1.0 + 0.2 * static_cast<double>(scene.tools.size()));
+  double contact = 0.0;
+  for (const ToolSpec& tool : scene.tools)
+    contact += tool.shape == ToolShape::triangles ? triangles_share : shape_share;
+  return rate / (1.0 + contact);
 }
 
 std::string time_cause(const Resolved& model, const Solve& solve) {

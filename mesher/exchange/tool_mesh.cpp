@@ -31,7 +31,7 @@ void add_line(const Corner& to, double longest, std::vector<Corner>& outline) {
 }
 
 double greatest_turn(double radius) {
-  return 2.0 * std::acos(std::max(0.7, 1.0 - tool_sagitta / std::max(radius, 1e-9)));
+  return 2.0 * std::acos(std::max(0.7, 1.0 - 0.5 * tool_sagitta / std::max(radius, 1e-9)));
 }
 
 // The shorter way from the last point about `centre`.

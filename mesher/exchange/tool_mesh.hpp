@@ -9,7 +9,8 @@
 
 namespace weaveform::foreign {
 
-inline constexpr double tool_sagitta = 0.1;  // mm; greatest distance of a facet from the true surface
+// mm; greatest distance of a facet from the true surface, half of it from its chords along each of two directions
+inline constexpr double tool_sagitta = 0.2;
 
 struct ToolMesh {
   std::vector<std::array<double, 3>> node;  // mm; world, at the start

@@ -330,7 +330,7 @@ TEST(ExportDecks, ToolMeshesLieOnTheirTools) {
         std::array<double, 3> middle = {0, 0, 0}, a{}, b{};
         for (int k = 0; k < size; ++k)
           for (std::size_t c = 0; c < 3; ++c) middle[c] += mesh.node[face[k]][c] / size;
-        EXPECT_NEAR(distance(middle, normal), 0.0, 2.0 * foreign::tool_sagitta) << motion.tool.name;
+        EXPECT_NEAR(distance(middle, normal), 0.0, foreign::tool_sagitta) << motion.tool.name;
         for (std::size_t c = 0; c < 3; ++c) {
           a[c] = mesh.node[face[1]][c] - mesh.node[face[0]][c];
           b[c] = mesh.node[face[2]][c] - mesh.node[face[0]][c];
