@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "app/study/runner.hpp"
@@ -27,13 +26,24 @@ void write_ours(const fs::path& file, const std::string& text) {
   write_text_whole(file, fmt::format("{}.\n{}", mark, text));
 }
 
-// The study file with its scene beside it.
+// Where a place of a TOML document is in its text; columns count characters of UTF-8, from 1.
+std::size_t offset_of(const std::string& text, const toml::source_position& place) {
+  std::size_t at = 0;
+  for (toml::source_index line = 1; line < place.line; ++line) at = text.find('\n', at) + 1;
+  for (toml::source_index column = 1; column < place.column; ++column) {
+    ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) ++at;
+  }
+  return at;
+}
+
+// The study file with its scene beside it; word for word, as the order of its axes is that of the table's columns.
 std::string moved_study(const Study& study) {
-  toml::table root = parse_toml(read_text_file(study.file), study.file.string());
-  root.insert_or_assign("scene", "scene.toml");
-  std::ostringstream text;
-  text << root << "\n";
-  return text.str();
+  std::string text = read_text_file(study.file);
+  const toml::table root = parse_toml(text, study.file.string());
+  const toml::source_region& scene = root.get("scene")->source();
+  const std::size_t begin = offset_of(text, scene.begin), end = offset_of(text, scene.end);
+  return text.replace(begin, end - begin, "\"scene.toml\"");
 }
 
 std::string moved_scene(const Study& study) {

@@ -178,6 +178,16 @@ TEST_F(StudyRun, SnakemakeGivesTheSameTable) {
   EXPECT_EQ(read_text(file("snake/study.csv")), read_text(file("local/study.csv")));
 }
 
+TEST_F(StudyRun, ExportKeepsTheWordsAndTheOrderOfTheStudy) {
+  const std::string axes = "[grid]\nmodel.formulation = [\"energy\"]\nblank.coarsening = [4]\n";
+  write_text("# Geflecht für Müller\nscene =  'tiny.toml'  # the ü must not shift it\nmeasures = [\"cells\"]\n" + axes,
+             file("s.toml"));
+  ASSERT_EQ(run("weaveform study s.toml --output snake --export snakemake --quiet").exit_code, 0);
+  EXPECT_TRUE(says(
+      read_text(file("snake/study.toml")),
+      "# Geflecht für Müller\nscene =  \"scene.toml\"  # the ü must not shift it\nmeasures = [\"cells\"]\n" + axes));
+}
+
 TEST_F(StudyRun, ExportOverwritesNothingOfTheUsers) {
   write_study("[grid]\nblank.coarsening = [4]\n");
   fs::create_directory(file("snake"));
