@@ -6,6 +6,7 @@ import struct
 from pathlib import Path
 
 import pytest
+from selenium.webdriver.support.ui import WebDriverWait
 
 from page import Page, no_drawing, start_browser
 
@@ -121,6 +122,6 @@ def test_nothing_is_wider_than_the_window(width, opened, tmp_path):
     page = opened(glue(two_plies(), tmp_path / "page.html"))
     page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
     try:
-        assert page.script("document.documentElement.scrollWidth") <= width
+        WebDriverWait(page.browser, 3).until(lambda _: page.script("document.documentElement.scrollWidth") <= width)
     finally:
         page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})

@@ -26,7 +26,7 @@ function gradientBar(field, range, levels) {
     picture.append(s('rect', { x: bar.left, y: top, width: bar.width, height: bar.height / slices + 0.6, fill: css(colourAt(field.scale, 1 - (i + 0.5) / slices)) }));
   }
   const line = (value, attributes) => picture.append(s('line', { x1: bar.left, x2: bar.left + bar.width, y1: y(value), y2: y(value), ...attributes }));
-  for (const level of levels) line(level, { stroke: '#111', 'stroke-width': 1 });
+  for (const level of levels.filter((value) => value >= range.from && value <= range.to)) line(level, { stroke: '#111', 'stroke-width': 1 });
   const limits = field.limit === null || field.limit === undefined ? [] : field.scale === 'diverging' ? [-field.limit, field.limit] : [field.limit];
   const shown_limits = limits.filter((value) => value >= range.from && value <= range.to);
   const right = bar.left + bar.width;
