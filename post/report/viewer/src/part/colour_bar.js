@@ -68,7 +68,7 @@ function rangeInputs(field, range, changed, reset) {
         else event.target.value = Number(range[end].toPrecision(4));
       },
     }));
-  return h('div', { class: 'range no-print' }, input('to', 'to'), input('from', 'from'), h('button', { type: 'button', onclick: reset, title: 'Colours over all values of all frames' }, 'all values'));
+  return h('div', { class: 'range no-print' }, input('to', 'to'), input('from', 'from'), h('button', { type: 'button', onclick: reset, title: 'Colours over all values of all frames' }, 'whole range'));
 }
 
 /** Draws the bar for the field into `element`; field null: none. */

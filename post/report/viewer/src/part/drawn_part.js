@@ -61,6 +61,7 @@ export function drawPart(stage, model) {
 
   let shown = [];
   let shown_key = null;
+  let edges_known = false; // of the shown cells; found when they are first asked for
   const all_nodes = Uint32Array.from({ length: model.node_count }, (_, i) => i);
 
   function choosePlies(hidden) {
@@ -71,7 +72,7 @@ export function drawPart(stage, model) {
     for (let cell = 0; cell < model.cell_count; ++cell) if (!model.cell_plies || !hidden.has(model.cell_plies[cell])) list.push(cell);
     shown = Uint32Array.from(list);
     surface.setPolygons(polygonsOf(model.cells, shown));
-    lines.edges.setPairs(edgePairs(model.cells, shown));
+    edges_known = false;
     for (const name of ['warp', 'weft']) lines[name].setPairs(shownPairs(model.yarns[name], model.cells, shown, model.node_count));
   }
 
@@ -106,6 +107,10 @@ export function drawPart(stage, model) {
       const { field } = state;
       const per_point = field?.association === 'nodes';
       surface.setColours(field ? coloursOf(model.values(field, state.frame), per_point ? all_nodes : shown, field, state.range) : null, { per_point });
+      if (state.edges && !edges_known) {
+        lines.edges.setPairs(edgePairs(model.cells, shown));
+        edges_known = true;
+      }
       for (const name of ['edges', 'warp', 'weft']) {
         lines[name].actor.setVisibility(Boolean(state[name]));
         if (state[name]) lines[name].setPositions(positions);

@@ -81,14 +81,24 @@ export function nodeMeans({ cells, node_count }, values, shown) {
 /** Smooth normals of the nodes, by the area of the cells around them. */
 export function nodeNormals({ cells, node_count }, positions, shown) {
   const normals = new Float32Array(3 * node_count);
-  const p = (node, axis) => positions[3 * node + axis];
   for (const cell of shown) {
-    const [a, b, c, d] = cells.subarray(4 * cell, 4 * cell + 4);
+    const a = 3 * cells[4 * cell];
+    const b = 3 * cells[4 * cell + 1];
+    const c = 3 * cells[4 * cell + 2];
+    const d = 3 * cells[4 * cell + 3];
     // half the cross product of the diagonals is a quad's vector area; of a triangle (d = c) it is the triangle's
-    const u = [0, 1, 2].map((axis) => p(c, axis) - p(a, axis));
-    const v = [0, 1, 2].map((axis) => p(d, axis) - p(b, axis));
-    const n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    for (const node of d === c ? [a, b, c] : [a, b, c, d]) for (let axis = 0; axis < 3; ++axis) normals[3 * node + axis] += n[axis];
+    const ux = positions[c] - positions[a];
+    const uy = positions[c + 1] - positions[a + 1];
+    const uz = positions[c + 2] - positions[a + 2];
+    const vx = positions[d] - positions[b];
+    const vy = positions[d + 1] - positions[b + 1];
+    const vz = positions[d + 2] - positions[b + 2];
+    for (let corner = 0; corner < cornersOf(cells, cell); ++corner) {
+      const at = 3 * cells[4 * cell + corner];
+      normals[at] += uy * vz - uz * vy;
+      normals[at + 1] += uz * vx - ux * vz;
+      normals[at + 2] += ux * vy - uy * vx;
+    }
   }
   for (let i = 0; i < normals.length; i += 3) {
     const size = Math.hypot(normals[i], normals[i + 1], normals[i + 2]) || 1;
