@@ -15,7 +15,7 @@ drawing = ["--enable-unsafe-swiftshader", "--use-angle=swiftshader"]  # WebGL wi
 no_drawing = ["--disable-gpu", "--disable-3d-apis"]
 
 
-def start_browser(switches=drawing, size=(1400, 950)):
+def start_browser(switches=drawing, size=(1100, 800)):
     options = Options()
     options.binary_location = which("chromium")
     profile = tempfile.mkdtemp(prefix="weaveform_chromium_")

@@ -1,7 +1,7 @@
 // The part on the stage: its surface in the field's colours, cell edges, yarns, isolines, the picked cell.
 import { colouring } from '../colour_maps.js';
 import { isolines } from './isolines.js';
-import { centreOf, cornersOf, nodeMeans, nodeNormals } from './model.js';
+import { categoryOfCell, centreOf, cornersOf, nodeMeans, nodeNormals } from './model.js';
 import { makeLines, makeSurface, polygonsOf } from './shapes.js';
 
 /** Seen on every colour of the field's map. */
@@ -76,6 +76,19 @@ export function drawPart(stage, model) {
     for (const name of ['warp', 'weft']) lines[name].setPairs(shownPairs(model.yarns[name], model.cells, shown, model.node_count));
   }
 
+  // Names are not mixed between nodes, as colours of numbers are: a mixture might look like a third name.
+  function paint(field, { frame, range }) {
+    if (!field) return surface.setColours(null, { per_point: false });
+    const values = model.values(field, frame);
+    const on_nodes = field.association === 'nodes';
+    if (on_nodes && values && field.scale === 'categories') {
+      const of_cells = new Float32Array(model.cell_count);
+      for (const cell of shown) of_cells[cell] = categoryOfCell(model.cells, values, cell);
+      return surface.setColours(coloursOf(of_cells, shown, field, range), { per_point: false });
+    }
+    return surface.setColours(coloursOf(values, on_nodes ? all_nodes : shown, field, range), { per_point: on_nodes });
+  }
+
   function drawLevels({ field, frame, levels }, positions) {
     const values = field && levels.length ? model.values(field, frame) : null;
     lines.levels.actor.setVisibility(Boolean(values));
@@ -105,8 +118,7 @@ export function drawPart(stage, model) {
       const positions = model.positions(state.frame);
       surface.setPositions(positions, nodeNormals(model, positions, shown));
       const { field } = state;
-      const per_point = field?.association === 'nodes';
-      surface.setColours(field ? coloursOf(model.values(field, state.frame), per_point ? all_nodes : shown, field, state.range) : null, { per_point });
+      paint(field, state);
       if (state.edges && !edges_known) {
         lines.edges.setPairs(edgePairs(model.cells, shown));
         edges_known = true;

@@ -64,6 +64,21 @@ export function centreOf(cells, positions, cell) {
   return centre;
 }
 
+/** The category that most corners of a cell have; of as many the later one. NaN where none has any. */
+export function categoryOfCell(cells, values, cell) {
+  const counts = new Map();
+  for (let i = 0; i < cornersOf(cells, cell); ++i) {
+    const value = Math.round(values[cells[4 * cell + i]]);
+    if (!Number.isNaN(value)) counts.set(value, (counts.get(value) ?? 0) + 1);
+  }
+  let best = NaN;
+  for (const [value, count] of counts) {
+    const most = counts.get(best) ?? 0;
+    if (count > most || (count === most && value > best)) best = value;
+  }
+  return best;
+}
+
 /** Values of the nodes from those of the cells: the mean over a node's cells that have one, of `shown` cells only. */
 export function nodeMeans({ cells, node_count }, values, shown) {
   const sums = new Float32Array(node_count);

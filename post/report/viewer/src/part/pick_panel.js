@@ -1,15 +1,18 @@
 // What the picked cell has: number, place, every field's value.
 import { h } from '../elements.js';
 import { numberText, withUnit } from '../words.js';
-import { centreOf, cornersOf } from './model.js';
+import { categoryOfCell, centreOf, cornersOf } from './model.js';
 
-/** Value of a field in a cell at a frame; of a node field the mean of the cell's corners. NaN: none. */
+/**
+ * Value of a field in a cell at a frame; of a node field the mean of the cell's corners, or their most frequent
+ * category. NaN: none. */
 export function valueInCell(model, field, frame, cell) {
   const values = model.values(field, frame);
   if (!values) return NaN;
   if (field.association !== 'nodes') return values[cell];
+  if (field.scale === 'categories') return categoryOfCell(model.cells, values, cell);
   const corners = Array.from({ length: cornersOf(model.cells, cell) }, (_, i) => values[model.cells[4 * cell + i]]);
-  return field.scale === 'categories' ? Math.max(...corners) : corners.reduce((sum, value) => sum + value, 0) / corners.length;
+  return corners.reduce((sum, value) => sum + value, 0) / corners.length;
 }
 
 function valueText(field, value) {
