@@ -145,7 +145,10 @@ function markLines(chart, width) {
 function seriesOf(series, index, chart, interactive) {
   const colour = series_colours[index % series_colours.length];
   const usable = (value, log) => value === null || value === undefined || !(isNumber(value) || typeof value === 'string') || (log && value <= 0) ? null : value;
-  const data = (series.x ?? []).map((x, i) => [usable(x, chart.x.log), usable(series.y[i], chart.y.log)]).filter(([x]) => x !== null);
+  // what rounding left of a zero must not give the axis a negative part
+  const rounding = 1e-9 * (series.y ?? []).reduce((most, y) => (isNumber(y) ? Math.max(most, Math.abs(y)) : most), 0);
+  const cleaned = (y) => (isNumber(y) && Math.abs(y) < rounding ? 0 : y);
+  const data = (series.x ?? []).map((x, i) => [usable(x, chart.x.log), usable(chart.y.log ? series.y[i] : cleaned(series.y[i]), chart.y.log)]).filter(([x]) => x !== null);
   const common = { name: series.name, data, color: colour, animation: false, emphasis: { focus: 'none' } };
   if (series.style === 'bars') return { ...common, type: 'bar', barCategoryGap: '8%', itemStyle: { color: colour } };
   if (series.style === 'points') {
