@@ -59,11 +59,13 @@ function licenceOf(name) {
 }
 
 mkdirSync('packed', { recursive: true });
-writeFileSync(
-  'packed/LICENSES.txt',
-  'packed/report.js holds parts of these packages, each under its own licence; the rest of it is Weaveform.\n\n\n' +
-    packagesIn(script.metafile).map(licenceOf).join('\n\n'),
-);
+const licences =
+  'report.js holds parts of these packages, each under its own licence; the rest of it is Weaveform.\n\n\n' +
+  packagesIn(script.metafile).map(licenceOf).join('\n\n');
+writeFileSync('packed/LICENSES.txt', licences);
+// Who passes a report on passes the packages on, and has to pass their licences on with them.
+const comment = licences.replaceAll('*/', '* /').replaceAll('</', '< /').replaceAll('<!--', '< !--');
+writeFileSync('packed/report.js', `${readFileSync('packed/report.js', 'utf8').trimEnd()}\n/*\n${comment}*/\n`);
 
 // What it was packed from, so that a test can tell, without npm, when sources changed after packing.
 const sources = ['build.mjs', 'package-lock.json', ...readdirSync('src', { recursive: true }).map((file) => join('src', file))]

@@ -258,3 +258,495 @@ void main()
 `,"#ifdef GL_FRAGMENT_PRECISION_HIGH","precision highp float;","precision highp int;","#else","precision mediump float;","precision mediump int;","#endif"]).result;let s=X.substitute(r,"//VTK::System::Dec",[`${o}
 `,"#ifdef GL_FRAGMENT_PRECISION_HIGH","precision highp float;","precision highp int;","#else","precision mediump float;","precision mediump int;","#endif"]).result;s=X.substitute(s,"varying","out").result,i=X.substitute(i,"varying","in").result;let f="",l=0;for(;i.includes(`gl_FragData[${l}]`);)i=X.substitute(i,`gl_FragData\\[${l}\\]`,`fragOutput${l}`).result,f+=`layout(location = ${l}) out vec4 fragOutput${l};
 `,l++;i=X.substitute(i,"//VTK::Output::Dec",f).result;let u=X.substitute(a,"//VTK::System::Dec",o).result;return{VSSource:s,FSSource:i,GSSource:u}},t.readyShaderProgramArray=(r,n,a)=>{let i=t.replaceShaderValues(r,n,a),o=t.getShaderProgram(i.VSSource,i.FSSource,i.GSSource);return t.readyShaderProgram(o)},t.readyShaderProgram=r=>!r||!r.getCompiled()&&!r.compileShader()||!t.bindShaderProgram(r)?null:r,t.getShaderProgram=(r,n,a)=>{let i=`${r}${n}${a}`,o=dU.default.hash(i);if(!(o in e.shaderPrograms)){let s=X.newInstance();return s.setContext(e.context),s.getVertexShader().setSource(r),s.getFragmentShader().setSource(n),a&&s.getGeometryShader().setSource(a),s.setMd5Hash(o),e.shaderPrograms[o]=s,s}return e.shaderPrograms[o]},t.releaseGraphicsResources=r=>{t.releaseCurrentShaderProgram(),Object.keys(e.shaderPrograms).map(n=>e.shaderPrograms[n]).forEach(n=>n.cleanup()),e.shaderPrograms={}},t.releaseCurrentShaderProgram=()=>{e.lastShaderProgramBound&&(e.lastShaderProgramBound.cleanup(),e.lastShaderProgramBound=null)},t.bindShaderProgram=r=>(e.lastShaderProgramBound===r||(e.lastShaderProgramBound&&e.lastShaderProgramBound.release(),r.bind(),e.lastShaderProgramBound=r),1)}var vJ={lastShaderProgramBound:null,shaderPrograms:null,context:null};function mU(t,e,r={}){Object.assign(e,vJ,r),e.shaderPrograms={},L.obj(t,e),L.setGet(t,e,pJ),L.moveToProtected(t,e,["openGLRenderWindow"]),hJ(t,e)}var gJ=L.newInstance(mU,"vtkShaderCache"),yU={newInstance:gJ,extend:mU};var{vtkErrorMacro:dJ}=L;function mJ(t,e){e.classHierarchy.push("vtkOpenGLTextureUnitManager"),t.deleteTable=()=>{for(let r=0;r<e.numberOfTextureUnits;++r)e.textureUnits[r]===!0&&dJ("some texture units  were not properly released");e.textureUnits=[],e.numberOfTextureUnits=0},t.setContext=r=>{if(e.context!==r){if(e.context!==0&&t.deleteTable(),e.context=r,e.context){e.numberOfTextureUnits=r.getParameter(r.MAX_TEXTURE_IMAGE_UNITS);for(let n=0;n<e.numberOfTextureUnits;++n)e.textureUnits[n]=!1}t.modified()}},t.allocate=()=>{for(let r=0;r<e.numberOfTextureUnits;r++)if(!t.isAllocated(r))return e.textureUnits[r]=!0,r;return-1},t.allocateUnit=r=>t.isAllocated(r)?-1:(e.textureUnits[r]=!0,r),t.isAllocated=r=>e.textureUnits[r],t.free=r=>{e.textureUnits[r]=!1},t.freeAll=()=>{for(let r=0;r<e.numberOfTextureUnits;++r)e.textureUnits[r]=!1}}var yJ={context:null,numberOfTextureUnits:0,textureUnits:0};function xU(t,e,r={}){Object.assign(e,yJ,r),L.obj(t,e),e.textureUnits=[],L.get(t,e,["numberOfTextureUnits"]),L.setGet(t,e,["context"]),mJ(t,e)}var xJ=L.newInstance(xU,"vtkOpenGLTextureUnitManager"),_U={newInstance:xJ,extend:xU};function _J(t,e){e.classHierarchy.push("vtkRenderWindowViewNode"),t.getViewNodeFactory=()=>null,t.getAspectRatio=()=>e.size[0]/e.size[1],t.getAspectRatioForRenderer=r=>{let n=r.getViewportByReference();return e.size[0]*(n[2]-n[0])/((n[3]-n[1])*e.size[1])},t.isInViewport=(r,n,a)=>{let i=a.getViewportByReference(),o=t.getFramebufferSize();return i[0]*o[0]<=r&&i[2]*o[0]>=r&&i[1]*o[1]<=n&&i[3]*o[1]>=n},t.getViewportSize=r=>{let n=r.getViewportByReference(),a=t.getFramebufferSize();return[(n[2]-n[0])*a[0],(n[3]-n[1])*a[1]]},t.getViewportCenter=r=>{let n=t.getViewportSize(r);return[n[0]*.5,n[1]*.5]},t.displayToNormalizedDisplay=(r,n,a)=>{let i=t.getFramebufferSize();return[r/i[0],n/i[1],a]},t.normalizedDisplayToDisplay=(r,n,a)=>{let i=t.getFramebufferSize();return[r*i[0],n*i[1],a]},t.worldToView=(r,n,a,i)=>i.worldToView(r,n,a),t.viewToWorld=(r,n,a,i)=>i.viewToWorld(r,n,a),t.worldToDisplay=(r,n,a,i)=>{let o=i.worldToView(r,n,a),s=t.getViewportSize(i),f=i.viewToProjection(o[0],o[1],o[2],s[0]/s[1]),l=i.projectionToNormalizedDisplay(f[0],f[1],f[2]);return t.normalizedDisplayToDisplay(l[0],l[1],l[2])},t.displayToWorld=(r,n,a,i)=>{let o=t.displayToNormalizedDisplay(r,n,a),s=i.normalizedDisplayToProjection(o[0],o[1],o[2]),f=t.getViewportSize(i),l=i.projectionToView(s[0],s[1],s[2],f[0]/f[1]);return i.viewToWorld(l[0],l[1],l[2])},t.normalizedDisplayToViewport=(r,n,a,i)=>{let o=i.getViewportByReference();o=t.normalizedDisplayToDisplay(o[0],o[1],0);let s=t.normalizedDisplayToDisplay(r,n,a);return[s[0]-o[0]-.5,s[1]-o[1]-.5,a]},t.viewportToNormalizedViewport=(r,n,a,i)=>{let o=t.getViewportSize(i);return o&&o[0]!==0&&o[1]!==0?[r/(o[0]-1),n/(o[1]-1),a]:[r,n,a]},t.normalizedViewportToViewport=(r,n,a,i)=>{let o=t.getViewportSize(i);return[r*(o[0]-1),n*(o[1]-1),a]},t.displayToLocalDisplay=(r,n,a)=>[r,t.getFramebufferSize()[1]-n-1,a],t.viewportToNormalizedDisplay=(r,n,a,i)=>{let o=i.getViewportByReference();o=t.normalizedDisplayToDisplay(o[0],o[1],0);let s=r+o[0]+.5,f=n+o[1]+.5;return t.displayToNormalizedDisplay(s,f,a)},t.getComputedDevicePixelRatio=()=>e.size[0]/t.getContainerSize()[0],t.getContainerSize=()=>{L.vtkErrorMacro("not implemented")},t.getPixelData=(r,n,a,i)=>{L.vtkErrorMacro("not implemented")},t.createSelector=()=>{L.vtkErrorMacro("not implemented")}}var TJ={size:void 0,selector:void 0};function TU(t,e,r={}){Object.assign(e,TJ,r),e.size||(e.size=[300,300]),L.getArray(t,e,["size"],2),L.get(t,e,["selector"]),rn.extend(t,e,r),_J(t,e)}var SJ=L.newInstance(TU,"vtkRenderWindowViewNode"),SU={newInstance:SJ,extend:TU};function CU(){let t=new Map,e={apply(a,i,o){return t.has(o[0])?t.get(o[0]):a.apply(i,o)}};function r(a){return{apply(i,o,s){return t.set(a,s[0]),i.apply(o,s)}}}let n=Object.create(null);return n.getParameter=(a,i,o,s)=>new Proxy(s.bind(a),e),n.depthMask=(a,i,o,s)=>new Proxy(s.bind(a),r(a.DEPTH_WRITEMASK)),{get(a,i,o){if(i==="__getUnderlyingContext")return()=>a;let s=Reflect.get(a,i,a);s instanceof Function&&(s=s.bind(a));let f=n[i];return f?f(a,i,o,s):s}}}var{vtkDebugMacro:CJ,vtkErrorMacro:$T,vtkWarningMacro:wJ}=L,EJ={position:"absolute",top:0,left:0,width:"100%",height:"100%"},MJ=["activateTexture","deactivateTexture","disableCullFace","enableCullFace","setCullFaceMode","get3DContext","getActiveFramebuffer","getContext","getDefaultTextureByteSize","getDefaultTextureInternalFormat","getGLInformations","getGraphicsMemoryInfo","getGraphicsResourceForObject","getHardwareMaximumLineWidth","getPixelData","getShaderCache","getTextureUnitForTexture","getTextureUnitManager","makeCurrent","releaseGraphicsResources","registerGraphicsResourceUser","unregisterGraphicsResourceUser","restoreContext","setActiveFramebuffer","setContext","setGraphicsResourceForObject"];function Qn(t,e,r,n){let a=t.getParameter(t.TEXTURE_BINDING_2D),i=t.getParameter(t.FRAMEBUFFER_BINDING),o=t.createFramebuffer(),s=t.createTexture();t.bindTexture(t.TEXTURE_2D,s),t.texImage2D(t.TEXTURE_2D,0,e,2,2,0,r,n,null),t.bindFramebuffer(t.FRAMEBUFFER,o),t.framebufferTexture2D(t.FRAMEBUFFER,t.COLOR_ATTACHMENT0,t.TEXTURE_2D,s,0);let f=t.checkFramebufferStatus(t.FRAMEBUFFER);return t.bindFramebuffer(t.FRAMEBUFFER,i),t.bindTexture(t.TEXTURE_2D,a),t.deleteFramebuffer(o),t.deleteTexture(s),f===t.FRAMEBUFFER_COMPLETE}var Ad=0,bd=[];function DJ(){Ad++,bd.forEach(t=>t(Ad))}function OJ(){Ad--,bd.forEach(t=>t(Ad))}function RJ(t){bd.push(t)}function LJ(t){return bd.pop()}function wU(t){t.preventDefault()}function NJ(t,e){e.classHierarchy.push("vtkOpenGLRenderWindow");let r;function n(){return r||(r=CU()),r}t.getViewNodeFactory=()=>e.myFactory,e.manageCanvas&&(e.canvas.addEventListener("webglcontextlost",wU,!1),e.canvas.addEventListener("webglcontextrestored",t.restoreContext,!1));let a=[0,0];function i(){e.renderable&&e.manageCanvas&&(e.size[0]!==a[0]||e.size[1]!==a[1])&&(a[0]=e.size[0],a[1]=e.size[1],e.canvas.setAttribute("width",e.size[0]),e.canvas.setAttribute("height",e.size[1])),e.viewStream&&e.viewStream.setSize(e.size[0],e.size[1]),e.manageCanvas&&(e.canvas.style.display=e.useOffScreen?"none":"block"),e.el&&(e.el.style.cursor=e.cursorVisibility?e.cursor:"none"),e.containerSize=null}t.onModified(i),t.buildPass=v=>{if(v){if(!e.renderable)return;t.prepareNodes(),t.addMissingNodes(e.renderable.getRenderersByReference()),t.addMissingNodes(e.renderable.getChildRenderWindowsByReference()),t.removeUnusedNodes(),t.initialize(),e.children.forEach(d=>{d.setOpenGLRenderWindow?.(t)})}},t.initialize=()=>{if(!e.initialized){if(e.rootOpenGLRenderWindow=t.getLastAncestorOfType("vtkOpenGLRenderWindow"),e.rootOpenGLRenderWindow)e.context2D=t.get2DContext();else{e.context=t.get3DContext(),t.resizeFromChildRenderWindows(),e.context&&DJ(),e.textureUnitManager=_U.newInstance(),e.textureUnitManager.setContext(e.context),e.shaderCache.setContext(e.context);let v=e.context;v.blendFuncSeparate(v.SRC_ALPHA,v.ONE_MINUS_SRC_ALPHA,v.ONE,v.ONE_MINUS_SRC_ALPHA),v.depthFunc(v.LEQUAL),v.enable(v.BLEND)}e.initialized=!0}},t.makeCurrent=()=>{e.context.makeCurrent()},t.setContainer=v=>{e.el&&e.el!==v&&(e.canvas.parentNode!==e.el&&$T("Error: canvas parent node does not match container"),e.el.removeChild(e.canvas),e.el.contains(e.bgImage)&&e.el.removeChild(e.bgImage)),e.el!==v&&(e.el=v,e.el&&(e.el.appendChild(e.canvas),e.useBackgroundImage&&e.el.appendChild(e.bgImage)),t.modified())},t.getContainer=()=>e.el,t.getContainerSize=()=>{if(!e.containerSize&&e.el){let{width:v,height:d}=e.el.getBoundingClientRect();e.containerSize=[v,d]}return e.containerSize||e.size},t.getFramebufferSize=()=>e.activeFramebuffer?.getSize()||e.size,t.getPixelData=(v,d,m,x)=>{let y=new Uint8Array((m-v+1)*(x-d+1)*4);return e.context.readPixels(v,d,m-v+1,x-d+1,e.context.RGBA,e.context.UNSIGNED_BYTE,y),y},t.get3DContext=(v={preserveDrawingBuffer:!1,depth:!0,alpha:!0,powerPreference:"high-performance"})=>{let d=typeof WebGL2RenderingContext<"u"?e.canvas.getContext("webgl2",v):null;return d&&CJ("using WebGL2"),d||$T("no WebGL2 context"),new Proxy(d,n())},t.get2DContext=(v={})=>e.canvas.getContext("2d",v),t.restoreContext=()=>{let v=qf.newInstance();v.setCurrentOperation("Release"),v.traverse(t,null)},t.activateTexture=v=>{let d=e._textureResourceIds.get(v);if(d!==void 0){e.context.activeTexture(e.context.TEXTURE0+d);return}let m=t.getTextureUnitManager().allocate();if(m<0){$T("Hardware does not support the number of textures defined.");return}e._textureResourceIds.set(v,m),e.context.activeTexture(e.context.TEXTURE0+m)},t.deactivateTexture=v=>{let d=e._textureResourceIds.get(v);d!==void 0&&(t.getTextureUnitManager().free(d),e._textureResourceIds.delete(v))},t.getTextureUnitForTexture=v=>{let d=e._textureResourceIds.get(v);return d!==void 0?d:-1},t.getDefaultTextureByteSize=(v,d=null,m=!1)=>{switch(v){case nt.CHAR:case nt.SIGNED_CHAR:case nt.UNSIGNED_CHAR:return 1;case d:case m:case nt.UNSIGNED_SHORT:case nt.SHORT:case nt.VOID:return 2;default:return 4}},t.getDefaultTextureInternalFormat=(v,d,m=null,x=!1)=>{switch(v){case nt.UNSIGNED_CHAR:switch(d){case 1:return e.context.R8;case 2:return e.context.RG8;case 3:return e.context.RGB8;default:return e.context.RGBA8}case(m&&!x&&nt.UNSIGNED_SHORT):switch(d){case 1:return m.R16_EXT;case 2:return m.RG16_EXT;case 3:return m.RGB16_EXT;default:return m.RGBA16_EXT}case(m&&!x&&nt.SHORT):switch(d){case 1:return m.R16_SNORM_EXT;case 2:return m.RG16_SNORM_EXT;case 3:return m.RGB16_SNORM_EXT;default:return m.RGBA16_SNORM_EXT}case nt.UNSIGNED_SHORT:case nt.SHORT:case nt.FLOAT:default:switch(d){case 1:return x?e.context.R16F:e.context.R32F;case 2:return x?e.context.RG16F:e.context.RG32F;case 3:return x?e.context.RGB16F:e.context.RGB32F;default:return x?e.context.RGBA16F:e.context.RGBA32F}}},t.setBackgroundImage=v=>{e.bgImage.src=v.src},t.setUseBackgroundImage=v=>{e.useBackgroundImage=v,e.useBackgroundImage&&!e.el.contains(e.bgImage)?e.el.appendChild(e.bgImage):!e.useBackgroundImage&&e.el.contains(e.bgImage)&&e.el.removeChild(e.bgImage)};function o(v=e.imageFormat){let d=document.createElement("canvas"),m=d.getContext("2d");d.width=e.canvas.width,d.height=e.canvas.height,m.drawImage(e.canvas,0,0);let x=e.canvas.getBoundingClientRect();e.renderable.getRenderers().forEach(_=>{_.getViewProps().forEach(T=>{if(T.getContainer){let S=T.getContainer().getElementsByTagName("canvas");for(let C=0;C<S.length;C++){let w=S[C],M=w.getBoundingClientRect(),E=M.x-x.x,D=M.y-x.y;m.drawImage(w,E,D)}}})});let y=d.toDataURL(v);d.remove(),t.invokeImageReady(y)}t.captureNextImage=(v="image/png",{resetCamera:d=!1,size:m=null,scale:x=1}={})=>{if(e.deleted)return null;let y=m||x!==1?m||e.size.map(T=>T*x):null;y!==null&&!e.manageCanvas&&(wJ("Ignoring the requested screenshot size/scale: resizing the canvas requires manageCanvas=true on vtkOpenGLRenderWindow. Capturing at the current size instead."),y=null),e.imageFormat=v;let _=e.notifyStartCaptureImage;return e.notifyStartCaptureImage=!0,e._screenshot={size:y},new Promise((T,S)=>{let C=t.onImageReady(w=>{if(e._screenshot.size===null)e.notifyStartCaptureImage=_,C.unsubscribe(),e._screenshot.placeHolder&&(e.size=e._screenshot.originalSize,t.modified(),e._screenshot.cameras&&e._screenshot.cameras.forEach(({restoreParamsFn:M,arg:E})=>M(E)),t.traverseAllPasses(),e.el.removeChild(e._screenshot.placeHolder),e._screenshot.placeHolder.remove(),e._screenshot=null),T(w);else{let M=document.createElement("img");if(M.style=EJ,M.src=w,e._screenshot.placeHolder=e.el.appendChild(M),e.canvas.style.display="none",e._screenshot.originalSize=e.size,e.size=e._screenshot.size,e.rootOpenGLRenderWindow?.resizeFromChildRenderWindows(),e._screenshot.size=null,t.modified(),d){let E=d!==!0;e._screenshot.cameras=e.renderable.getRenderers().map(D=>{let N=D.getActiveCamera(),R=N.get("focalPoint","position","parallelScale");return{resetCameraArgs:E?{renderer:D}:void 0,resetCameraFn:E?d:D.resetCamera,restoreParamsFn:N.set,arg:JSON.parse(JSON.stringify(R))}}),e._screenshot.cameras.forEach(({resetCameraFn:D,resetCameraArgs:N})=>D(N))}t.traverseAllPasses()}})})};let s;t.getHardwareMaximumLineWidth=()=>{if(s!=null)return s;let v=t.get3DContext(),d=v.getParameter(v.ALIASED_LINE_WIDTH_RANGE);return s=d[1],d[1]},t.getGLInformations=()=>{if(e._glInformation)return e._glInformation;let v=t.get3DContext(),d=v.getExtension("EXT_color_buffer_float"),m=v.getExtension("WEBGL_debug_renderer_info"),x=v.getExtension("EXT_texture_filter_anisotropic")||v.getExtension("WEBKIT_EXT_texture_filter_anisotropic"),y=[["Max Vertex Attributes","MAX_VERTEX_ATTRIBS",v.getParameter(v.MAX_VERTEX_ATTRIBS)],["Max Varying Vectors","MAX_VARYING_VECTORS",v.getParameter(v.MAX_VARYING_VECTORS)],["Max Vertex Uniform Vectors","MAX_VERTEX_UNIFORM_VECTORS",v.getParameter(v.MAX_VERTEX_UNIFORM_VECTORS)],["Max Fragment Uniform Vectors","MAX_FRAGMENT_UNIFORM_VECTORS",v.getParameter(v.MAX_FRAGMENT_UNIFORM_VECTORS)],["Max Fragment Texture Image Units","MAX_TEXTURE_IMAGE_UNITS",v.getParameter(v.MAX_TEXTURE_IMAGE_UNITS)],["Max Vertex Texture Image Units","MAX_VERTEX_TEXTURE_IMAGE_UNITS",v.getParameter(v.MAX_VERTEX_TEXTURE_IMAGE_UNITS)],["Max Combined Texture Image Units","MAX_COMBINED_TEXTURE_IMAGE_UNITS",v.getParameter(v.MAX_COMBINED_TEXTURE_IMAGE_UNITS)],["Max 2D Texture Size","MAX_TEXTURE_SIZE",v.getParameter(v.MAX_TEXTURE_SIZE)],["Max Cube Texture Size","MAX_CUBE_MAP_TEXTURE_SIZE",v.getParameter(v.MAX_CUBE_MAP_TEXTURE_SIZE)],["Max Texture Anisotropy","MAX_TEXTURE_MAX_ANISOTROPY_EXT",x&&v.getParameter(x.MAX_TEXTURE_MAX_ANISOTROPY_EXT)],["Point Size Range","ALIASED_POINT_SIZE_RANGE",v.getParameter(v.ALIASED_POINT_SIZE_RANGE).join(" - ")],["Line Width Range","ALIASED_LINE_WIDTH_RANGE",v.getParameter(v.ALIASED_LINE_WIDTH_RANGE).join(" - ")],["Max Viewport Dimensions","MAX_VIEWPORT_DIMS",v.getParameter(v.MAX_VIEWPORT_DIMS).join(" - ")],["Max Renderbuffer Size","MAX_RENDERBUFFER_SIZE",v.getParameter(v.MAX_RENDERBUFFER_SIZE)],["Framebuffer Red Bits","RED_BITS",v.getParameter(v.RED_BITS)],["Framebuffer Green Bits","GREEN_BITS",v.getParameter(v.GREEN_BITS)],["Framebuffer Blue Bits","BLUE_BITS",v.getParameter(v.BLUE_BITS)],["Framebuffer Alpha Bits","ALPHA_BITS",v.getParameter(v.ALPHA_BITS)],["Framebuffer Depth Bits","DEPTH_BITS",v.getParameter(v.DEPTH_BITS)],["Framebuffer Stencil Bits","STENCIL_BITS",v.getParameter(v.STENCIL_BITS)],["Framebuffer Subpixel Bits","SUBPIXEL_BITS",v.getParameter(v.SUBPIXEL_BITS)],["MSAA Samples","SAMPLES",v.getParameter(v.SAMPLES)],["MSAA Sample Buffers","SAMPLE_BUFFERS",v.getParameter(v.SAMPLE_BUFFERS)],["Supported Formats for UByte Render Targets     ","UNSIGNED_BYTE RENDER TARGET FORMATS",[Qn(v,v.RGBA8,v.RGBA,v.UNSIGNED_BYTE)?"RGBA8":"",Qn(v,v.RGB8,v.RGB,v.UNSIGNED_BYTE)?"RGB8":"",Qn(v,v.RG8,v.RG,v.UNSIGNED_BYTE)?"RG8":"",Qn(v,v.R8,v.RED,v.UNSIGNED_BYTE)?"R8":""].join(" ")],["Supported Formats for Half Float Render Targets","HALF FLOAT RENDER TARGET FORMATS",[d&&Qn(v,v.RGBA16F,v.RGBA,v.HALF_FLOAT)?"RGBA16F":"",d&&Qn(v,v.RG16F,v.RG,v.HALF_FLOAT)?"RG16F":"",d&&Qn(v,v.R16F,v.RED,v.HALF_FLOAT)?"R16F":""].join(" ")],["Supported Formats for Full Float Render Targets","FLOAT RENDER TARGET FORMATS",[d&&Qn(v,v.RGBA32F,v.RGBA,v.FLOAT)?"RGBA32F":"",d&&Qn(v,v.RG32F,v.RG,v.FLOAT)?"RG32F":"",d&&Qn(v,v.R32F,v.RED,v.FLOAT)?"R32F":""].join(" ")],["Max Multiple Render Targets Buffers","MAX_DRAW_BUFFERS",v.getParameter(v.MAX_DRAW_BUFFERS)],["High Float Precision in Vertex Shader","HIGH_FLOAT VERTEX_SHADER",[v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.HIGH_FLOAT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.HIGH_FLOAT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.HIGH_FLOAT).rangeMax,"</sup>)"].join("")],["Medium Float Precision in Vertex Shader","MEDIUM_FLOAT VERTEX_SHADER",[v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.MEDIUM_FLOAT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.MEDIUM_FLOAT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.MEDIUM_FLOAT).rangeMax,"</sup>)"].join("")],["Low Float Precision in Vertex Shader","LOW_FLOAT VERTEX_SHADER",[v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.LOW_FLOAT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.LOW_FLOAT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.LOW_FLOAT).rangeMax,"</sup>)"].join("")],["High Float Precision in Fragment Shader","HIGH_FLOAT FRAGMENT_SHADER",[v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.HIGH_FLOAT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.HIGH_FLOAT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.HIGH_FLOAT).rangeMax,"</sup>)"].join("")],["Medium Float Precision in Fragment Shader","MEDIUM_FLOAT FRAGMENT_SHADER",[v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.MEDIUM_FLOAT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.MEDIUM_FLOAT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.MEDIUM_FLOAT).rangeMax,"</sup>)"].join("")],["Low Float Precision in Fragment Shader","LOW_FLOAT FRAGMENT_SHADER",[v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.LOW_FLOAT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.LOW_FLOAT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.LOW_FLOAT).rangeMax,"</sup>)"].join("")],["High Int Precision in Vertex Shader","HIGH_INT VERTEX_SHADER",[v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.HIGH_INT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.HIGH_INT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.HIGH_INT).rangeMax,"</sup>)"].join("")],["Medium Int Precision in Vertex Shader","MEDIUM_INT VERTEX_SHADER",[v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.MEDIUM_INT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.MEDIUM_INT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.MEDIUM_INT).rangeMax,"</sup>)"].join("")],["Low Int Precision in Vertex Shader","LOW_INT VERTEX_SHADER",[v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.LOW_INT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.LOW_INT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.VERTEX_SHADER,v.LOW_INT).rangeMax,"</sup>)"].join("")],["High Int Precision in Fragment Shader","HIGH_INT FRAGMENT_SHADER",[v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.HIGH_INT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.HIGH_INT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.HIGH_INT).rangeMax,"</sup>)"].join("")],["Medium Int Precision in Fragment Shader","MEDIUM_INT FRAGMENT_SHADER",[v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.MEDIUM_INT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.MEDIUM_INT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.MEDIUM_INT).rangeMax,"</sup>)"].join("")],["Low Int Precision in Fragment Shader","LOW_INT FRAGMENT_SHADER",[v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.LOW_INT).precision," (-2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.LOW_INT).rangeMin,"</sup> - 2<sup>",v.getShaderPrecisionFormat(v.FRAGMENT_SHADER,v.LOW_INT).rangeMax,"</sup>)"].join("")],["Supported Extensions","EXTENSIONS",v.getSupportedExtensions().join("<br/>					    ")],["WebGL Renderer","RENDERER",v.getParameter(v.RENDERER)],["WebGL Vendor","VENDOR",v.getParameter(v.VENDOR)],["WebGL Version","VERSION",v.getParameter(v.VERSION)],["Shading Language Version","SHADING_LANGUAGE_VERSION",v.getParameter(v.SHADING_LANGUAGE_VERSION)],["Unmasked Renderer","UNMASKED_RENDERER",m&&v.getParameter(m.UNMASKED_RENDERER_WEBGL)],["Unmasked Vendor","UNMASKED_VENDOR",m&&v.getParameter(m.UNMASKED_VENDOR_WEBGL)],["WebGL Version","WEBGL_VERSION",2]],_={};for(;y.length;){let[T,S,C]=y.pop();S&&(_[S]={label:T,value:C})}return e._glInformation=_,_},t.traverseAllPasses=()=>{if(e.renderPasses)for(let d=0;d<e.renderPasses.length;++d)e.renderPasses[d].traverse(t,null);t.copyParentContent(),e.notifyStartCaptureImage&&o();let v=e.renderable.getChildRenderWindowsByReference();for(let d=0;d<v.length;++d)t.getViewNodeFor(v[d])?.traverseAllPasses()},t.copyParentContent=()=>{let v=e.rootOpenGLRenderWindow;if(!v||!e.context2D||e.children.some(x=>!!x.getSelector?.()))return;let d=v.getCanvas(),m=e.canvas;e.context2D.drawImage(d,0,d.height-m.height,m.width,m.height,0,0,m.width,m.height)},t.resizeFromChildRenderWindows=()=>{let v=e.renderable.getChildRenderWindowsByReference();if(v.length>0){let d=[0,0];for(let m=0;m<v.length;++m){let x=t.getViewNodeFor(v[m])?.getSize();x&&(d[0]=x[0]>d[0]?x[0]:d[0],d[1]=x[1]>d[1]?x[1]:d[1])}t.setSize(...d)}},t.disableCullFace=()=>{e.cullFaceEnabled&&(e.context.disable(e.context.CULL_FACE),e.cullFaceEnabled=!1)},t.enableCullFace=()=>{e.cullFaceEnabled||(e.context.enable(e.context.CULL_FACE),e.cullFaceEnabled=!0)},t.setCullFaceMode=v=>{e.cullFaceMode!==v&&(e.context.cullFace(v),e.cullFaceMode=v)},t.setViewStream=v=>{if(e.viewStream===v)return!1;if(e.subscription&&(e.subscription.unsubscribe(),e.subscription=null),e.viewStream=v,e.viewStream){let d=e.renderable.getRenderers()[0];d.getBackgroundByReference()[3]=0,t.setUseBackgroundImage(!0),e.subscription=e.viewStream.onImageReady(m=>t.setBackgroundImage(m.image)),e.viewStream.setSize(e.size[0],e.size[1]),e.viewStream.invalidateCache(),e.viewStream.render(),t.modified()}return!0},t.createSelector=()=>{let v=jT.newInstance();return v.setOpenGLRenderWindow(t),v};function f(){e.canvas.removeEventListener("webglcontextlost",wU),e.canvas.removeEventListener("webglcontextrestored",t.restoreContext)}let l=()=>{let v=e.rootOpenGLRenderWindow;return v?!v.isDeleted():!!e.context};function u(v,d=t){l()&&v?.filter(m=>!m.isDeleted()).forEach(m=>m.releaseGraphicsResources?.(d))}function c(v){v.isDeleted()||!v.isA("vtkOpenGLRenderWindow")||(u(v.getRenderPasses(),v),v.getChildrenByReference().forEach(c))}let p=t.setRenderPasses;t.setRenderPasses=v=>{let d=e.renderPasses;return p(v)?(u(d?.filter(m=>!e.renderPasses?.includes(m))),!0):!1},t.delete=L.chain(()=>{u(e.renderPasses),e.context&&OJ(),t.setContainer(),t.setViewStream()},f,t.delete),t.setActiveFramebuffer=v=>{e.activeFramebuffer=v};let h=t.setSize;t.setSize=(...v)=>{let d=h(...v);return d&&t.invokeWindowResizeEvent({width:e.size[0],height:e.size[1]}),d},t.registerGraphicsResourceUser=(v,d)=>{e._graphicsResources.has(v)||t.setGraphicsResourceForObject(v,null,null),e._graphicsResources.get(v)?.users.add(d)},t.unregisterGraphicsResourceUser=(v,d)=>{let m=e._graphicsResources.get(v);m&&(m.users.delete(d),m.users.size||(m.oglObject?.releaseGraphicsResources(t),e._graphicsResources.delete(v)))},t.getGraphicsResourceForObject=v=>e._graphicsResources.get(v),t.setGraphicsResourceForObject=(v,d,m)=>{if(!v)return;let x=e._graphicsResources.get(v);x?.oglObject?.releaseGraphicsResources(t),e._graphicsResources.set(v,{coreObject:v,oglObject:d,hash:m,users:x?.users??new Set})},t.getGraphicsMemoryInfo=()=>{let v=0;return e._graphicsResources.forEach(({oglObject:d})=>{v+=d.getAllocatedGPUMemoryInBytes()}),v},t.releaseGraphicsResources=()=>{c(t),e.shaderCache!==null&&e.shaderCache.releaseGraphicsResources(t),e._graphicsResources.forEach(({oglObject:v})=>{v.releaseGraphicsResources(t)}),e._graphicsResources.clear(),e.textureUnitManager!==null&&e.textureUnitManager.freeAll(),e.renderable.getRenderersByReference().forEach(v=>{t.getViewNodeFor(v)?.releaseGraphicsResources()})};let g={...t};MJ.forEach(v=>{t[v]=(...d)=>e.rootOpenGLRenderWindow?e.rootOpenGLRenderWindow[v](...d):g[v](...d)})}var AJ={cullFaceEnabled:!1,cullFaceMode:null,shaderCache:null,initialized:!1,context:null,context2D:null,canvas:null,manageCanvas:!0,cursorVisibility:!0,cursor:"pointer",textureUnitManager:null,textureResourceIds:null,containerSize:null,renderPasses:[],notifyStartCaptureImage:!1,activeFramebuffer:null,imageFormat:"image/png",useOffScreen:!1,useBackgroundImage:!1};function EU(t,e,r={}){Object.assign(e,AJ,r),SU.extend(t,e,r),e.canvas||(e.canvas=document.createElement("canvas"),e.canvas.style.width="100%"),e.selector||(e.selector=jT.newInstance(),e.selector.setOpenGLRenderWindow(t)),e.bgImage=new Image,e.bgImage.style.position="absolute",e.bgImage.style.left="0",e.bgImage.style.top="0",e.bgImage.style.width="100%",e.bgImage.style.height="100%",e.bgImage.style.zIndex="-1",e._textureResourceIds=new Map,e._graphicsResources=new Map,e._glInformation=null,e.myFactory=_B.newInstance(),e.shaderCache=yU.newInstance(),e.shaderCache.setOpenGLRenderWindow(t),e.renderPasses[0]=tU.newInstance(),L.get(t,e,["shaderCache","textureUnitManager","useBackgroundImage","activeFramebuffer","rootOpenGLRenderWindow"]),L.setGet(t,e,["initialized","context","context2D","canvas","manageCanvas","renderPasses","notifyStartCaptureImage","cursor","useOffScreen"]),L.setGetArray(t,e,["size"],2),L.event(t,e,"imageReady"),L.event(t,e,"windowResizeEvent"),NJ(t,e)}var qT=L.newInstance(EU,"vtkOpenGLRenderWindow");XT("WebGL",qT);var MU={newInstance:qT,extend:EU,pushMonitorGLContextCount:RJ,popMonitorGLContextCount:LJ};nn("vtkRenderWindow",qT);var bJ=["HeadLight","CameraLight","SceneLight"];function kJ(t,e){e.classHierarchy.push("vtkLight");let r=new Float64Array(3);t.getTransformedPosition=()=>(e.transformMatrix?ge.transformMat4(r,e.position,e.transformMatrix):ge.set(r,e.position[0],e.position[1],e.position[2]),r),t.getTransformedFocalPoint=()=>(e.transformMatrix?ge.transformMat4(r,e.focalPoint,e.transformMatrix):ge.set(r,e.focalPoint[0],e.focalPoint[1],e.focalPoint[2]),r),t.getDirection=()=>(e.directionMTime<e.mtime&&(ge.sub(e.direction,e.focalPoint,e.position),Zt(e.direction),e.directionMTime=e.mtime),e.direction),t.setDirection=n=>{let a=new Float64Array(3);ge.sub(a,e.position,n),e.focalPoint=a},t.setDirectionAngle=(n,a)=>{let i=Qe(n),o=Qe(a);t.setPosition(Math.cos(i)*Math.sin(o),Math.sin(i),Math.cos(i)*Math.cos(o)),t.setFocalPoint(0,0,0),t.setPositional(0)},t.setLightTypeToHeadLight=()=>{t.setLightType("HeadLight")},t.setLightTypeToCameraLight=()=>{t.setLightType("CameraLight")},t.setLightTypeToSceneLight=()=>{t.setTransformMatrix(null),t.setLightType("SceneLight")},t.lightTypeIsHeadLight=()=>e.lightType==="HeadLight",t.lightTypeIsSceneLight=()=>e.lightType==="SceneLight",t.lightTypeIsCameraLight=()=>e.lightType==="CameraLight"}var FJ={switch:!0,intensity:1,color:[1,1,1],position:[0,0,1],focalPoint:[0,0,0],positional:!1,exponent:1,coneAngle:30,coneFalloff:5,attenuationValues:[1,0,0],transformMatrix:null,lightType:"SceneLight",shadowAttenuation:1,direction:[0,0,0],directionMTime:0};function DU(t,e,r={}){Object.assign(e,FJ,r),L.obj(t,e),L.setGet(t,e,["intensity","switch","positional","exponent","coneAngle","coneFalloff","transformMatrix","lightType","shadowAttenuation","attenuationValues"]),L.setGetArray(t,e,["color","position","focalPoint","attenuationValues"],3),kJ(t,e)}var VJ=L.newInstance(DU,"vtkLight"),OU={newInstance:VJ,extend:DU,LIGHT_TYPES:bJ};var{vtkErrorMacro:kd}=L;function BJ(t){return()=>kd(`vtkViewport::${t} - NOT IMPLEMENTED`)}function UJ(t,e){e.classHierarchy.push("vtkViewport"),t.getViewProps=()=>e.props,t.hasViewProp=n=>e.props.includes(n),t.addViewProp=n=>{n&&!t.hasViewProp(n)&&e.props.push(n)},t.removeViewProp=n=>{let a=e.props.filter(i=>i!==n);e.props.length!==a.length&&(e.props=a)},t.removeAllViewProps=()=>{e.props=[]};function r(n,a=[]){a.push(n);let i=n.getNestedProps();if(i&&i.length)for(let o=0;o<i.length;o++)r(i[o],a);return a}t.getViewPropsWithNestedProps=()=>{let n=[];e.actors2D=[];for(let a=0;a<e.props.length;a++){let i=e.props[a].getActors2D();i&&(!Array.isArray(i)||i.length>0)?e.actors2D=e.actors2D.concat(i):r(e.props[a],n)}return e.actors2D.sort((a,i)=>a.getLayerNumber()-i.getLayerNumber()),n=n.concat(e.actors2D),n},t.addActor2D=t.addViewProp,t.removeActor2D=n=>{t.removeViewProp(n)},t.getActors2D=()=>(e.actors2D=[],e.props.forEach(n=>{e.actors2D=e.actors2D.concat(n.getActors2D())}),e.actors2D),t.displayToView=()=>kd("call displayToView on your view instead"),t.viewToDisplay=()=>kd("callviewtodisplay on your view instead"),t.getSize=()=>kd("call getSize on your View instead"),t.normalizedDisplayToProjection=(n,a,i)=>{let o=t.normalizedDisplayToNormalizedViewport(n,a,i);return t.normalizedViewportToProjection(o[0],o[1],o[2])},t.normalizedDisplayToNormalizedViewport=(n,a,i)=>{let o=[e.viewport[2]-e.viewport[0],e.viewport[3]-e.viewport[1]];return[(n-e.viewport[0])/o[0],(a-e.viewport[1])/o[1],i]},t.normalizedViewportToProjection=(n,a,i)=>[n*2-1,a*2-1,i*2-1],t.projectionToNormalizedDisplay=(n,a,i)=>{let o=t.projectionToNormalizedViewport(n,a,i);return t.normalizedViewportToNormalizedDisplay(o[0],o[1],o[2])},t.normalizedViewportToNormalizedDisplay=(n,a,i)=>{let o=[e.viewport[2]-e.viewport[0],e.viewport[3]-e.viewport[1]];return[n*o[0]+e.viewport[0],a*o[1]+e.viewport[1],i]},t.projectionToNormalizedViewport=(n,a,i)=>[(n+1)*.5,(a+1)*.5,(i+1)*.5],t.PickPropFrom=BJ("PickPropFrom")}var IJ={background:[0,0,0],background2:[.2,.2,.2],gradientBackground:!1,viewport:[0,0,1,1],aspect:[1,1],pixelAspect:[1,1],props:[],actors2D:[]};function RU(t,e,r={}){Object.assign(e,IJ,r),L.obj(t,e),L.event(t,e,"event"),L.setGet(t,e,["gradientBackground"]),L.setGetArray(t,e,["viewport"],4),L.setGetArray(t,e,["background","background2"],3),UJ(t,e)}var PJ=L.newInstance(RU,"vtkViewport"),LU={newInstance:PJ,extend:RU};var{vtkDebugMacro:Cc,vtkErrorMacro:ki,vtkWarningMacro:GJ}=Mi;function NU(t){return()=>ki(`vtkRenderer::${t} - NOT IMPLEMENTED`)}function AU(t,e){let r=[];for(let n=0;n<t.length;n++){let a=e(t[n]);if(Array.isArray(a))for(let i=0;i<a.length;i++)r.push(a[i]);else r.push(a)}return r}var zJ=t=>t.getActors(),HJ=t=>t.getVolumes();function WJ(t,e){e.classHierarchy.push("vtkRenderer");let r={type:"ComputeVisiblePropBoundsEvent",renderer:t},n={type:"ResetCameraClippingRangeEvent",renderer:t},a={type:"ResetCameraEvent",renderer:t};function i(o,s){return s?ye.transformBounds(o,s,[]):o}t.updateCamera=()=>(e.activeCamera||(Cc("No cameras are on, creating one."),t.getActiveCameraAndResetIfCreated()),e.activeCamera.render(t),!0),t.updateLightsGeometryToFollowCamera=()=>{let o=t.getActiveCameraAndResetIfCreated();e.lights.forEach(s=>{s.lightTypeIsSceneLight()||(s.lightTypeIsHeadLight()?(s.setPositionFrom(o.getPositionByReference()),s.setFocalPointFrom(o.getFocalPointByReference()),s.modified(o.getMTime())):s.lightTypeIsCameraLight()?s.setTransformMatrix(o.getCameraLightTransformMatrix(V.create())):ki("light has unknown light type",s.get()))})},t.updateLightGeometry=()=>e.lightFollowCamera?t.updateLightsGeometryToFollowCamera():!0,t.allocateTime=NU("allocateTime"),t.updateGeometry=NU("updateGeometry"),t.getVTKWindow=()=>e._renderWindow,t.setLayer=o=>{Cc(t.getClassName(),t,"setting Layer to ",o),e.layer!==o&&(e.layer=o,t.modified()),t.setPreserveColorBuffer(!!o)},t.setActiveCamera=o=>e.activeCamera===o?!1:(e.activeCamera=o,t.modified(),t.invokeEvent({type:"ActiveCameraEvent",camera:o}),!0),t.makeCamera=()=>{let o=Ld.newInstance();return t.invokeEvent({type:"CreateCameraEvent",camera:o}),o},t.getActiveCamera=()=>(e.activeCamera||(e.activeCamera=t.makeCamera()),e.activeCamera),t.getActiveCameraAndResetIfCreated=()=>(e.activeCamera||(t.getActiveCamera(),t.resetCamera()),e.activeCamera),t.getActors=()=>(e.actors=AU(e.props,zJ),e.actors),t.addActor=t.addViewProp,t.removeActor=o=>{e.actors=e.actors.filter(s=>s!==o),t.removeViewProp(o),t.modified()},t.removeAllActors=()=>{t.getActors().forEach(o=>{t.removeViewProp(o)}),e.actors=[],t.modified()},t.getVolumes=()=>(e.volumes=AU(e.props,HJ),e.volumes),t.addVolume=t.addViewProp,t.removeVolume=o=>{e.volumes=e.volumes.filter(s=>s!==o),t.removeViewProp(o),t.modified()},t.removeAllVolumes=()=>{t.getVolumes().forEach(o=>{t.removeViewProp(o)}),e.volumes=[],t.modified()},t.hasLight=o=>e.lights.includes(o),t.addLight=o=>{o&&!t.hasLight(o)&&(e.lights.push(o),t.modified())},t.removeLight=o=>{e.lights=e.lights.filter(s=>s!==o),t.modified()},t.removeAllLights=()=>{e.lights=[],t.modified()},t.setLightCollection=o=>{e.lights=o,t.modified()},t.makeLight=OU.newInstance,t.createLight=()=>{e.automaticLightCreation&&(e._createdLight&&(t.removeLight(e._createdLight),e._createdLight.delete(),e._createdLight=null),e._createdLight=t.makeLight(),t.addLight(e._createdLight),e._createdLight.setLightTypeToHeadLight(),e._createdLight.setPosition(t.getActiveCamera().getPosition()),e._createdLight.setFocalPoint(t.getActiveCamera().getFocalPoint()))},t.normalizedDisplayToWorld=(o,s,f,l)=>{let u=t.normalizedDisplayToProjection(o,s,f);return u=t.projectionToView(u[0],u[1],u[2],l),t.viewToWorld(u[0],u[1],u[2])},t.worldToNormalizedDisplay=(o,s,f,l)=>{let u=t.worldToView(o,s,f);return u=t.viewToProjection(u[0],u[1],u[2],l),t.projectionToNormalizedDisplay(u[0],u[1],u[2])},t.viewToWorld=(o,s,f)=>{if(e.activeCamera===null)return ki("ViewToWorld: no active camera, cannot compute view to world, returning 0,0,0"),[0,0,0];let l=e.activeCamera.getViewMatrix();V.invert(l,l),V.transpose(l,l);let u=new Float64Array([o,s,f]);return ge.transformMat4(u,u,l),u},t.projectionToView=(o,s,f,l)=>{if(e.activeCamera===null)return ki("ProjectionToView: no active camera, cannot compute projection to view, returning 0,0,0"),[0,0,0];let u=e.activeCamera.getProjectionMatrix(l,-1,1);V.invert(u,u),V.transpose(u,u);let c=new Float64Array([o,s,f]);return ge.transformMat4(c,c,u),c},t.worldToView=(o,s,f)=>{if(e.activeCamera===null)return ki("WorldToView: no active camera, cannot compute view to world, returning 0,0,0"),[0,0,0];let l=e.activeCamera.getViewMatrix();V.transpose(l,l);let u=new Float64Array([o,s,f]);return ge.transformMat4(u,u,l),u},t.viewToProjection=(o,s,f,l)=>{if(e.activeCamera===null)return ki("ViewToProjection: no active camera, cannot compute view to projection, returning 0,0,0"),[0,0,0];let u=e.activeCamera.getProjectionMatrix(l,-1,1);V.transpose(u,u);let c=new Float64Array([o,s,f]);return ge.transformMat4(c,c,u),c},t.computeVisiblePropBounds=()=>{e.allBounds[0]=ye.INIT_BOUNDS[0],e.allBounds[1]=ye.INIT_BOUNDS[1],e.allBounds[2]=ye.INIT_BOUNDS[2],e.allBounds[3]=ye.INIT_BOUNDS[3],e.allBounds[4]=ye.INIT_BOUNDS[4],e.allBounds[5]=ye.INIT_BOUNDS[5];let o=!0;t.invokeEvent(r);for(let s=0;s<e.props.length;++s){let f=e.props[s];if(f.getVisibility()&&f.getUseBounds()){let l=f.getBounds();l&&ac(l)&&(o=!1,l[0]<e.allBounds[0]&&(e.allBounds[0]=l[0]),l[1]>e.allBounds[1]&&(e.allBounds[1]=l[1]),l[2]<e.allBounds[2]&&(e.allBounds[2]=l[2]),l[3]>e.allBounds[3]&&(e.allBounds[3]=l[3]),l[4]<e.allBounds[4]&&(e.allBounds[4]=l[4]),l[5]>e.allBounds[5]&&(e.allBounds[5]=l[5]))}}return o&&(nc(e.allBounds),Cc("Can't compute bounds, no 3D props are visible")),e.allBounds},t.resetCamera=(o=null)=>{let s=o||t.computeVisiblePropBounds();if(!ac(s))return Cc("Cannot reset camera!"),!1;let f=null;if(t.getActiveCamera())f=e.activeCamera.getViewPlaneNormal();else return ki("Trying to reset non-existent camera"),!1;e.activeCamera.setViewAngle(30);let l=i(s,e.activeCamera.getModelTransformMatrix()),u=ye.getCenter(l),c=ye.getLength(l,0),p=ye.getLength(l,1),h=ye.getLength(l,2);c*=c,p*=p,h*=h;let g=c+p+h;g=g===0?1:g,g=Math.sqrt(g)*.5;let v=Qe(e.activeCamera.getViewAngle()),d=g,m=g/Math.sin(v*.5),x=e.activeCamera.getViewUp();return Math.abs(le(x,f))>.999&&(GJ("Resetting view-up since view plane normal is parallel"),e.activeCamera.setViewUp(-x[2],x[0],x[1])),e.activeCamera.setFocalPoint(u[0],u[1],u[2]),e.activeCamera.setPosition(u[0]+m*f[0],u[1]+m*f[1],u[2]+m*f[2]),t.resetCameraClippingRange(s),e.activeCamera.setParallelScale(d),e.activeCamera.setPhysicalScale(g),e.activeCamera.setPhysicalTranslation(-u[0],-u[1],-u[2]),t.invokeEvent(a),!0},t.resetCameraClippingRange=(o=null)=>{let s=o||t.computeVisiblePropBounds();if(!ac(s))return Cc("Cannot reset camera clipping range!"),!1;if(t.getActiveCameraAndResetIfCreated(),!e.activeCamera)return ki("Trying to reset clipping range of non-existent camera"),!1;let f=e.activeCamera.computeClippingRange(i(s,e.activeCamera.getModelTransformMatrix())),l=0;if(e.activeCamera.getParallelProjection())l=.2*e.activeCamera.getParallelScale();else{let u=Qe(e.activeCamera.getViewAngle());l=.2*Math.tan(u/2)*f[1]}return f[1]-f[0]<l&&(l=l-f[1]+f[0],f[1]+=l/2,f[0]-=l/2),f[0]<0&&(f[0]=0),f[0]=.99*f[0]-(f[1]-f[0])*e.clippingRangeExpansion,f[1]=1.01*f[1]+(f[1]-f[0])*e.clippingRangeExpansion,f[0]=f[0]>=f[1]?.01*f[1]:f[0],e.nearClippingPlaneTolerance||(e.nearClippingPlaneTolerance=.01),f[0]<e.nearClippingPlaneTolerance*f[1]&&(f[0]=e.nearClippingPlaneTolerance*f[1]),e.activeCamera.setClippingRange(f[0],f[1]),t.invokeEvent(n),!1},t.setRenderWindow=o=>{o!==e._renderWindow&&(e._vtkWindow=o,e._renderWindow=o)},t.visibleActorCount=()=>e.props.filter(o=>o.getVisibility()).length,t.visibleVolumeCount=t.visibleActorCount,t.getMTime=()=>{let o=e.mtime,s=e.activeCamera?e.activeCamera.getMTime():0;s>o&&(o=s);let f=e._createdLight?e._createdLight.getMTime():0;return f>o&&(o=f),o},t.getTransparent=()=>!!e.preserveColorBuffer,t.isActiveCameraCreated=()=>!!e.activeCamera}var YJ={pickedProp:null,activeCamera:null,allBounds:[],ambient:[1,1,1],allocatedRenderTime:100,timeFactor:1,automaticLightCreation:!0,twoSidedLighting:!0,lastRenderTimeInSeconds:-1,renderWindow:null,lights:[],actors:[],volumes:[],lightFollowCamera:!0,numberOfPropsRendered:0,propArray:null,pathArray:null,layer:0,preserveColorBuffer:!1,preserveDepthBuffer:!1,computeVisiblePropBounds:Y_(),interactive:!0,nearClippingPlaneTolerance:0,clippingRangeExpansion:.05,erase:!0,draw:!0,useShadows:!1,useDepthPeeling:!1,occlusionRatio:0,maximumNumberOfPeels:4,selector:null,delegate:null,texturedBackground:!1,backgroundTexture:null,environmentTexture:null,environmentTextureDiffuseStrength:1,environmentTextureSpecularStrength:1,useEnvironmentTextureAsBackground:!1,pass:0};function bU(t,e,r={}){for(Object.assign(e,YJ,r),LU.extend(t,e,r),e.background||(e.background=[0,0,0,1]);e.background.length<3;)e.background.push(0);e.background.length===3&&e.background.push(1),Ur(t,e,["_renderWindow","allocatedRenderTime","timeFactor","lastRenderTimeInSeconds","numberOfPropsRendered","lastRenderingUsedDepthPeeling","selector"]),ur(t,e,["twoSidedLighting","lightFollowCamera","automaticLightCreation","erase","draw","nearClippingPlaneTolerance","clippingRangeExpansion","backingStore","interactive","layer","preserveColorBuffer","preserveDepthBuffer","useDepthPeeling","occlusionRatio","maximumNumberOfPeels","delegate","backgroundTexture","texturedBackground","environmentTexture","environmentTextureDiffuseStrength","environmentTextureSpecularStrength","useEnvironmentTextureAsBackground","useShadows","pass"]),Zo(t,e,["actors","volumes","lights"]),Vg(t,e,["background"],4,1),Di(t,e,["renderWindow"]),WJ(t,e)}var XJ=qt(bU,"vtkRenderer"),kU={newInstance:XJ,extend:bU};function FU(){try{let t=document.createElement("canvas").getContext("webgl2");return t?.getExtension("WEBGL_lose_context")?.loseContext(),!!t}catch{return!1}}function VU(t,e){let r=jB.newInstance(),n=MU.newInstance();n.setContainer(t),r.addView(n);let a=Ld.newInstance();a.setViewAngle(25);let i=Array.from({length:e},(u,c)=>{let p=kU.newInstance({background:[1,1,1]});return p.setViewport(c/e,0,(c+1)/e,1),r.addRenderer(p),p.setActiveCamera(a),p.setTwoSidedLighting(!0),p}),o=n.getCanvas(),s=!1;function f(){s=!1,i.forEach(u=>u.updateLightsGeometryToFollowCamera()),r.render(),l.drawn.forEach(u=>u())}let l={canvas:o,camera:a,count:e,drawn:[],add:(u,c=0)=>i[c].addActor(u),remove:(u,c=0)=>i[c].removeActor(u),render:f,ask(){s||(s=!0,requestAnimationFrame(()=>s&&f()))},size:()=>[t.clientWidth/e,t.clientHeight],resize(){let u=window.devicePixelRatio||1;n.setSize(Math.max(1,Math.round(t.clientWidth*u)),Math.max(1,Math.round(t.clientHeight*u))),l.ask()},picture(){return f(),o.toDataURL("image/png")},setDepth({centre:u,radius:c}){let p=a.getPosition(),h=Math.hypot(...p.map((g,v)=>g-u[v]));a.setClippingRange(Math.max(h-1.5*c,c/200),h+1.5*c)}};return l}function BU(t,e){let r=e.map(n=>{let a=Br(n.points,Float32Array,`points of the tool ${n.name}`),i=Br(n.triangles,Uint32Array,`triangles of the tool ${n.name}`);jo(i,a.length/3,`triangles of the tool ${n.name}`);let{actor:o}=rB(a,i);return t.add(o),{name:n.name,actor:o,motion:n.motion??[]}});return{names:r.map(({name:n})=>n),draw({frame:n,tools:a}){for(let{name:i,actor:o,motion:s}of r)o.setVisibility(a.has(i)),o.setPosition(...s[n]??s[s.length-1]??[0,0,0])}}}var UU=26,Jf=38;function IU(){let t=_r("svg",{class:"triad",width:2*Jf,height:2*Jf,"aria-hidden":"true"});return{element:t,draw(e){let{right:r,up:n,back:a}=Bf(e),i=["x","y","z"].map((o,s)=>({name:o,x:r[s],y:-n[s],nearness:a[s]}));i.sort((o,s)=>o.nearness-s.nearness),t.replaceChildren(...i.flatMap(({name:o,x:s,y:f,nearness:l})=>{let u=l<-.01?"#9aa3ab":"#39424a",c=m=>[Jf+m*s,Jf+m*f],[p,h]=c(UU),[g,v]=c(UU+8),d=_r("line",{x1:Jf,y1:Jf,x2:p,y2:h,stroke:u,"stroke-width":2});return Math.hypot(s,f)<.15?[d]:[d,_r("text",{x:g,y:v+4,fill:u,"text-anchor":"middle"},o)]}))}}}function KJ(t){let e=t.fields[0]??null;return{frame:t.frames.length-1,field:e,ranges:new Map(t.fields.map(r=>[r.name,x_(r)])),isolines:e?.limit!==null&&e?.limit!==void 0?"limit":"0",warp:!1,weft:!1,edges:!1,tools:new Set,hidden_plies:new Set,picked:-1}}function jJ({field:t,isolines:e},r){return!t||e==="0"||t.scale==="categories"?[]:e!=="limit"?rb(r,Number(e)):t.limit===null||t.limit===void 0?[]:t.scale==="diverging"?[-t.limit,t.limit]:[t.limit]}function $J(t){let e=[1/0,1/0,1/0],r=[-1/0,-1/0,-1/0];for(let a of t)for(let i=0;i<a.length;++i)e[i%3]=Math.min(e[i%3],a[i]),r[i%3]=Math.max(r[i%3],a[i]);return{centre:e.map((a,i)=>(a+r[i])/2),radius:Math.hypot(...e.map((a,i)=>r[i]-a))/2||1}}function qJ(t){let e=new Float32Array(t.reduce((n,{length:a})=>n+a,0)),r=0;for(let n of t)e.set(n,r),r+=n.length;return e}function ZJ(t){let e=[0,1,2].map(r=>{let[n,a]=[1/0,-1/0];for(let i=r;i<t.length;i+=3)n=Math.min(n,t[i]),a=Math.max(a,t[i]);return a-n});return e[2]<.02*Math.max(e[0],e[1])}function PU(t){let e=ab(t.part),r=KJ(e),n=t.measured?"The part, simulated and measured":"The part";if(!FU())return{element:Tr("part",n,I("p",{class:"trouble",role:"alert"},"This browser cannot draw in 3-D (WebGL 2 is missing or switched off), so that the part is not shown. All else of this report is below.")),start(){},handle:{webgl:!1}};let a=QJ(t,e,n);return{element:a.element,...JJ(t,e,r,a)}}function QJ(t,e,r){let n=I("div",{class:"canvas-box",tabindex:0,role:"application","aria-label":"The part in 3-D. Arrow keys turn it, with shift they move it, plus and minus come nearer and go away."}),a=I("div",{class:"pick-ring",hidden:!0}),i=t.measured?[I("span",{class:"viewport-label left"},"simulated"),I("span",{class:"viewport-label right"},t.measured.title||"measured")]:[],o=I("img",{class:"still",alt:"the part as it was seen when the page was printed"}),s=I("div",{class:`picture${t.measured?" two":""}`},n,...i,a,o),f=I("div",{class:"bar"}),l=I("div",{class:"pick","aria-live":"polite"}),u=I("p",{class:"note"}),c={controls:I("div"),timeline:I("div"),views:I("div")};return{element:Tr("part",r,c.controls,I("div",{class:"stage"},s,I("div",{class:"side"},f,l)),I("div",{class:"below"},c.timeline,c.views),u,I("p",{class:"note"},t.part.thinned?`Thinned, so that the file stays small: ${t.part.thinned}.`:""),I("p",{class:"hint no-print"},"Drag turns, shift and drag moves, the wheel comes nearer once the picture was clicked.")),canvas_box:n,ring:a,picture:s,still:o,bar:f,panel:l,note:u,slots:c}}function JJ(t,e,r,n){let{canvas_box:a,ring:i,picture:o,still:s,bar:f,panel:l,note:u,slots:c}=n,p=t.measured?2:1,h=VU(a,p),g=aB(h,e),v=BU(h,t.tools??[]),d=t.measured?fB(h,t.measured,1):null,m=[e.positions(0),e.positions(e.frames.length-1)],x=$J(d?[...m,d.points]:m),y=()=>h.size()[0]/h.size()[1],_=()=>r.field?r.ranges.get(r.field.name):null,T=iB({model:e,tool_names:v.names,state:r},{setField:D,set:E}),S=sB({frames:e.frames,state:r},N);c.controls.replaceWith(T.element);let C=IU();c.views.replaceWith(oB(b)),o.append(C.element),c.timeline.replaceWith(S.element);function w(){let P={...r,range:_(),levels:jJ(r,_())};g.draw(P),v.draw(P),d?.draw(P),tb(f,{...P,changed:R,reset:()=>R(x_(r.field))}),lB(l,e,r,()=>A(-1)),T.update(),S.update(),u.textContent=M(),h.ask()}function M(){if(!d)return"";let{field:P,frame:Q,title:ne}=t.measured,Ne=e.fields.find(Oe=>Oe.name===P),ze=[];return r.field?.name!==P&&Ne&&ze.push(`Only the ${Ne.title} was measured; the ${ne||"measured"} part is grey.`),r.frame!==Q&&e.frames[Q]&&ze.push(`What was measured belongs to the frame “${e.frames[Q].label}”.`),ze.join(" ")}function E(P){Object.assign(r,P),w()}function D(P){E({field:e.fields.find(Q=>Q.name===P)??null})}function N(P){E({frame:Math.min(Math.max(Math.round(P),0),e.frames.length-1)})}function R(P){r.field&&r.ranges.set(r.field.name,P),w()}function A(P){return E({picked:P>=0&&P<e.cell_count?P:-1}),r.picked>=0?xc(e,r.picked,r.frame):null}function b(P){let Q=P==="fit"?e.positions(r.frame):qJ([e.positions(0),e.positions(r.frame),e.positions(e.frames.length-1)]);JA(h.camera,P==="fit"?null:P,Q,y(),x.centre),F()}function F(){h.setDepth(x),h.ask()}function z(P,Q){let ne=a.getBoundingClientRect(),[Ne,ze]=h.size(),Oe=Math.min(p-1,Math.max(0,Math.floor((P-ne.left)/Ne)));return{viewport:Oe,at:[2*(P-ne.left-Oe*Ne)/Ne-1,1-2*(Q-ne.top)/ze]}}function G(P,Q){let{viewport:ne,at:Ne}=z(P,Q);if(ne!==0)return;let{origin:ze,direction:Oe}=ZA(h.camera,...Ne,y());A(pB(e,e.positions(r.frame),g.shown(),ze,Oe))}function Y(P){let Q=QA(h.camera,P,y());if(!Q)return null;let ne=a.getBoundingClientRect(),[Ne,ze]=h.size();return{x:ne.left+(Q[0]+1)/2*Ne,y:ne.top+(1-Q[1])/2*ze}}function $(){let P=r.picked>=0?Y(g.centre(r.picked,r.frame)):null,Q=o.getBoundingClientRect(),ne=P&&P.x>=Q.left&&P.x<=Q.left+h.size()[0]&&P.y>=Q.top&&P.y<=Q.bottom;i.hidden=!ne,ne&&(i.style.transform=`translate(${P.x-Q.left}px, ${P.y-Q.top}px)`)}h.drawn.push($,()=>C.draw(h.camera));function Z(){new ResizeObserver(()=>{h.resize(),F()}).observe(a),h.resize(),eb(a,h.camera,{changed:F,clicked:G}),w(),b(ZJ(e.positions(r.frame))?"top":"slant"),h.render(),window.addEventListener("beforeprint",()=>s.src=h.picture())}let{camera:re}=h;return{start:Z,handle:{webgl:!0,frame:()=>r.frame,frames:()=>e.frames.map(({label:P})=>P),setFrame:N,field:()=>r.field?.name??null,fields:()=>e.fields.map(({name:P})=>P),setField:D,range:_,setRange:R,set:E,pickCell:A,picked:()=>r.picked>=0?xc(e,r.picked,r.frame):null,cellCount:()=>e.cell_count,cell:P=>xc(e,P,r.frame),cellOnScreen:P=>Y(g.centre(P,r.frame)),look:b,camera:()=>({position:re.getPosition(),focal_point:re.getFocalPoint(),view_up:re.getViewUp()}),picture:()=>h.picture()}}}var eee=t=>typeof t=="number"?Qt(t):t==null?"–":String(t);function tee(t,e){let r=n=>typeof n=="number"&&!Number.isNaN(n)?0:n==null||n===""?2:1;return r(t)!==r(e)?r(t)-r(e):r(t)===0?t-e:r(t)===1?String(t).localeCompare(String(e),"en",{numeric:!0}):0}function ree({title:t,columns:e,rows:r,links:n=[]},a){let i=r.map((p,h)=>({row:p,link:n?.[h]??null,place:h})),o={column:-1,up:!0},s=I("tbody"),f=e.map((p,h)=>I("th",{scope:"col","aria-sort":"none"},I("button",{type:"button",onclick:()=>c(h)},p)));function l(p,h,g){let v=eee(p);return I("td",{class:typeof p=="number"?"numeric":null},h===0&&g?I("a",{href:g},v):v)}function u(){s.replaceChildren(...i.map(({row:p,link:h})=>I("tr",{},p.map((g,v)=>l(g,v,h)))))}function c(p){o={column:p,up:o.column===p?!o.up:!0},i.sort((h,g)=>(o.up?1:-1)*tee(h.row[p],g.row[p])||h.place-g.place),f.forEach((h,g)=>h.setAttribute("aria-sort",g===p?o.up?"ascending":"descending":"none")),u()}return u(),Tr(`table-${a}`,t,I("div",{class:"table-box"},I("table",{class:"data"},I("thead",{},I("tr",{},f)),s)))}var GU=t=>t.map(ree);function zU({headline:t,rows:e=[],warnings:r=[],trust:n=[]},a){return Tr("verdict","Verdict",t&&I("p",{class:"headline"},t),e.length>0&&I("dl",{class:"numbers"},e.map(({name:i,value:o,note:s,cell:f})=>I("div",{class:"number"},I("dt",{},i),I("dd",{class:"value"},o),s&&I("dd",{class:"of"},s),a&&Number.isInteger(f)&&I("dd",{class:"of no-print"},I("button",{type:"button",onclick:()=>a(f)},"show it"))))),r.length>0&&I("div",{class:"warnings"},I("h3",{},r.length===1?"A warning of the run":"Warnings of the run"),I("ul",{},r.map(i=>I("li",{},i)))),n.length>0&&I("div",{class:"trust"},I("h3",{},"What to trust it for"),I("ul",{},n.map(i=>I("li",{},i)))))}var Fd=[];function ZT(t,e){let r=t instanceof Vr?t.message:`${e} cannot be shown: ${t.message}`;return Fd.push(r),I("p",{class:"trouble",role:"alert"},r)}function wc(t,e){try{return e()}catch(r){return{element:Tr(`trouble-${Fd.length}`,t,ZT(r,t)),start(){},handle:null}}}function nee(t){let e=t.part?wc("The part",()=>PU(t)):null,r=t.charts?.length?wc("Charts",()=>PA(t.charts)):null,n=e?.handle?.webgl?l=>{e.handle.pickCell(l),e.element.scrollIntoView({behavior:"smooth"})}:null,a=t.verdict?wc("Verdict",()=>({element:zU(t.verdict,n)})):null,i=t.tables?.length?wc("Tables",()=>({elements:GU(t.tables)})):null,o=t.texts??[],s=t.facts??[],f=o.length+s.length?wc("Where it comes from",()=>({element:eS(o,s)})):null;return{parts:[a,e,r,i,f].filter(Boolean),part:e,charts:r}}function aee(){let t=document.getElementById("report")??document.body.appendChild(I("main",{id:"report"})),e;try{e=HA(document)}catch(i){t.append(ZT(i,"This report")),window.weaveformReport={ready:!0,troubles:Fd};return}t.append(I("header",{},I("p",{class:"brand"},e.kind==="study"?"Weaveform study":"Weaveform result"),I("h1",{},e.title),e.subtitle&&I("p",{class:"subtitle"},e.subtitle)));let{parts:r,part:n,charts:a}=nee(e);for(let i of r)t.append(...i.elements??[i.element]);for(let[i,o]of[[n,"The part"],[a,"Charts"]])try{i?.start()}catch(s){i.element.replaceChildren(I("h2",{},o),ZT(s,o)),i.handle=null}window.addEventListener("beforeprint",()=>document.querySelectorAll("details").forEach(i=>i.open=!0)),window.weaveformReport={ready:!0,troubles:Fd,first_picture_ms:performance.now(),...n?.handle??{},chart:i=>a?.handle?.(i)??null,charts:()=>a?.ids?.()??[]}}aee();})();
+/*
+report.js holds parts of these packages, each under its own licence; the rest of it is Weaveform.
+
+
+@kitware/vtk.js 37.4.3 (BSD-3-Clause)
+============================================================
+
+/*=========================================================================
+
+  Program:   Visualization Toolkit - JS
+  Module:    Copyright.txt
+
+Copyright (c) 2016 Ken Martin, Will Schroeder, Bill Lorensen
+All rights reserved.
+
+Redistribution and use in source and binary forms, with or without
+modification, are permitted provided that the following conditions are met:
+
+ * Redistributions of source code must retain the above copyright notice,
+   this list of conditions and the following disclaimer.
+
+ * Redistributions in binary form must reproduce the above copyright notice,
+   this list of conditions and the following disclaimer in the documentation
+   and/or other materials provided with the distribution.
+
+ * Neither name of Ken Martin, Will Schroeder, or Bill Lorensen nor the names
+   of any contributors may be used to endorse or promote products derived
+   from this software without specific prior written permission.
+
+THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS ``AS IS''
+AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE
+IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE
+ARE DISCLAIMED. IN NO EVENT SHALL THE AUTHORS OR CONTRIBUTORS BE LIABLE FOR
+ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR
+SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY,
+OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE
+OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
+
+=========================================================================* /
+
+Copyright (c) 2016, Kitware Inc.
+All rights reserved.
+
+Redistribution and use in source and binary forms, with or without
+modification, are permitted provided that the following conditions are met:
+
+- Redistributions of source code must retain the above copyright notice, this
+  list of conditions and the following disclaimer.
+
+- Redistributions in binary form must reproduce the above copyright notice,
+  this list of conditions and the following disclaimer in the documentation
+  and/or other materials provided with the distribution.
+
+- Neither the name of the copyright holder nor the names of its
+  contributors may be used to endorse or promote products derived from
+  this software without specific prior written permission.
+
+THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS"
+AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE
+IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE ARE
+DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE
+FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR
+SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY,
+OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE
+OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
+
+
+echarts 6.1.0 (Apache-2.0)
+============================================================
+
+Apache License
+                           Version 2.0, January 2004
+                        http://www.apache.org/licenses/
+
+   TERMS AND CONDITIONS FOR USE, REPRODUCTION, AND DISTRIBUTION
+
+   1. Definitions.
+
+      "License" shall mean the terms and conditions for use, reproduction,
+      and distribution as defined by Sections 1 through 9 of this document.
+
+      "Licensor" shall mean the copyright owner or entity authorized by
+      the copyright owner that is granting the License.
+
+      "Legal Entity" shall mean the union of the acting entity and all
+      other entities that control, are controlled by, or are under common
+      control with that entity. For the purposes of this definition,
+      "control" means (i) the power, direct or indirect, to cause the
+      direction or management of such entity, whether by contract or
+      otherwise, or (ii) ownership of fifty percent (50%) or more of the
+      outstanding shares, or (iii) beneficial ownership of such entity.
+
+      "You" (or "Your") shall mean an individual or Legal Entity
+      exercising permissions granted by this License.
+
+      "Source" form shall mean the preferred form for making modifications,
+      including but not limited to software source code, documentation
+      source, and configuration files.
+
+      "Object" form shall mean any form resulting from mechanical
+      transformation or translation of a Source form, including but
+      not limited to compiled object code, generated documentation,
+      and conversions to other media types.
+
+      "Work" shall mean the work of authorship, whether in Source or
+      Object form, made available under the License, as indicated by a
+      copyright notice that is included in or attached to the work
+      (an example is provided in the Appendix below).
+
+      "Derivative Works" shall mean any work, whether in Source or Object
+      form, that is based on (or derived from) the Work and for which the
+      editorial revisions, annotations, elaborations, or other modifications
+      represent, as a whole, an original work of authorship. For the purposes
+      of this License, Derivative Works shall not include works that remain
+      separable from, or merely link (or bind by name) to the interfaces of,
+      the Work and Derivative Works thereof.
+
+      "Contribution" shall mean any work of authorship, including
+      the original version of the Work and any modifications or additions
+      to that Work or Derivative Works thereof, that is intentionally
+      submitted to Licensor for inclusion in the Work by the copyright owner
+      or by an individual or Legal Entity authorized to submit on behalf of
+      the copyright owner. For the purposes of this definition, "submitted"
+      means any form of electronic, verbal, or written communication sent
+      to the Licensor or its representatives, including but not limited to
+      communication on electronic mailing lists, source code control systems,
+      and issue tracking systems that are managed by, or on behalf of, the
+      Licensor for the purpose of discussing and improving the Work, but
+      excluding communication that is conspicuously marked or otherwise
+      designated in writing by the copyright owner as "Not a Contribution."
+
+      "Contributor" shall mean Licensor and any individual or Legal Entity
+      on behalf of whom a Contribution has been received by Licensor and
+      subsequently incorporated within the Work.
+
+   2. Grant of Copyright License. Subject to the terms and conditions of
+      this License, each Contributor hereby grants to You a perpetual,
+      worldwide, non-exclusive, no-charge, royalty-free, irrevocable
+      copyright license to reproduce, prepare Derivative Works of,
+      publicly display, publicly perform, sublicense, and distribute the
+      Work and such Derivative Works in Source or Object form.
+
+   3. Grant of Patent License. Subject to the terms and conditions of
+      this License, each Contributor hereby grants to You a perpetual,
+      worldwide, non-exclusive, no-charge, royalty-free, irrevocable
+      (except as stated in this section) patent license to make, have made,
+      use, offer to sell, sell, import, and otherwise transfer the Work,
+      where such license applies only to those patent claims licensable
+      by such Contributor that are necessarily infringed by their
+      Contribution(s) alone or by combination of their Contribution(s)
+      with the Work to which such Contribution(s) was submitted. If You
+      institute patent litigation against any entity (including a
+      cross-claim or counterclaim in a lawsuit) alleging that the Work
+      or a Contribution incorporated within the Work constitutes direct
+      or contributory patent infringement, then any patent licenses
+      granted to You under this License for that Work shall terminate
+      as of the date such litigation is filed.
+
+   4. Redistribution. You may reproduce and distribute copies of the
+      Work or Derivative Works thereof in any medium, with or without
+      modifications, and in Source or Object form, provided that You
+      meet the following conditions:
+
+      (a) You must give any other recipients of the Work or
+          Derivative Works a copy of this License; and
+
+      (b) You must cause any modified files to carry prominent notices
+          stating that You changed the files; and
+
+      (c) You must retain, in the Source form of any Derivative Works
+          that You distribute, all copyright, patent, trademark, and
+          attribution notices from the Source form of the Work,
+          excluding those notices that do not pertain to any part of
+          the Derivative Works; and
+
+      (d) If the Work includes a "NOTICE" text file as part of its
+          distribution, then any Derivative Works that You distribute must
+          include a readable copy of the attribution notices contained
+          within such NOTICE file, excluding those notices that do not
+          pertain to any part of the Derivative Works, in at least one
+          of the following places: within a NOTICE text file distributed
+          as part of the Derivative Works; within the Source form or
+          documentation, if provided along with the Derivative Works; or,
+          within a display generated by the Derivative Works, if and
+          wherever such third-party notices normally appear. The contents
+          of the NOTICE file are for informational purposes only and
+          do not modify the License. You may add Your own attribution
+          notices within Derivative Works that You distribute, alongside
+          or as an addendum to the NOTICE text from the Work, provided
+          that such additional attribution notices cannot be construed
+          as modifying the License.
+
+      You may add Your own copyright statement to Your modifications and
+      may provide additional or different license terms and conditions
+      for use, reproduction, or distribution of Your modifications, or
+      for any such Derivative Works as a whole, provided Your use,
+      reproduction, and distribution of the Work otherwise complies with
+      the conditions stated in this License.
+
+   5. Submission of Contributions. Unless You explicitly state otherwise,
+      any Contribution intentionally submitted for inclusion in the Work
+      by You to the Licensor shall be under the terms and conditions of
+      this License, without any additional terms or conditions.
+      Notwithstanding the above, nothing herein shall supersede or modify
+      the terms of any separate license agreement you may have executed
+      with Licensor regarding such Contributions.
+
+   6. Trademarks. This License does not grant permission to use the trade
+      names, trademarks, service marks, or product names of the Licensor,
+      except as required for reasonable and customary use in describing the
+      origin of the Work and reproducing the content of the NOTICE file.
+
+   7. Disclaimer of Warranty. Unless required by applicable law or
+      agreed to in writing, Licensor provides the Work (and each
+      Contributor provides its Contributions) on an "AS IS" BASIS,
+      WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or
+      implied, including, without limitation, any warranties or conditions
+      of TITLE, NON-INFRINGEMENT, MERCHANTABILITY, or FITNESS FOR A
+      PARTICULAR PURPOSE. You are solely responsible for determining the
+      appropriateness of using or redistributing the Work and assume any
+      risks associated with Your exercise of permissions under this License.
+
+   8. Limitation of Liability. In no event and under no legal theory,
+      whether in tort (including negligence), contract, or otherwise,
+      unless required by applicable law (such as deliberate and grossly
+      negligent acts) or agreed to in writing, shall any Contributor be
+      liable to You for damages, including any direct, indirect, special,
+      incidental, or consequential damages of any character arising as a
+      result of this License or out of the use or inability to use the
+      Work (including but not limited to damages for loss of goodwill,
+      work stoppage, computer failure or malfunction, or any and all
+      other commercial damages or losses), even if such Contributor
+      has been advised of the possibility of such damages.
+
+   9. Accepting Warranty or Additional Liability. While redistributing
+      the Work or Derivative Works thereof, You may choose to offer,
+      and charge a fee for, acceptance of support, warranty, indemnity,
+      or other liability obligations and/or rights consistent with this
+      License. However, in accepting such obligations, You may act only
+      on Your own behalf and on Your sole responsibility, not on behalf
+      of any other Contributor, and only if You agree to indemnify,
+      defend, and hold each Contributor harmless for any liability
+      incurred by, or claims asserted against, such Contributor by reason
+      of your accepting any such warranty or additional liability.
+
+   END OF TERMS AND CONDITIONS
+
+   APPENDIX: How to apply the Apache License to your work.
+
+      To apply the Apache License to your work, attach the following
+      boilerplate notice, with the fields enclosed by brackets "[]"
+      replaced with your own identifying information. (Don't include
+      the brackets!)  The text should be enclosed in the appropriate
+      comment syntax for the file format. We also recommend that a
+      file or class name and description of purpose be included on the
+      same "printed page" as the copyright notice for easier
+      identification within third-party archives.
+
+   Copyright [yyyy] [name of copyright owner]
+
+   Licensed under the Apache License, Version 2.0 (the "License");
+   you may not use this file except in compliance with the License.
+   You may obtain a copy of the License at
+
+       http://www.apache.org/licenses/LICENSE-2.0
+
+   Unless required by applicable law or agreed to in writing, software
+   distributed under the License is distributed on an "AS IS" BASIS,
+   WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+   See the License for the specific language governing permissions and
+   limitations under the License.
+
+
+
+
+
+========================================================================
+Apache ECharts Subcomponents:
+
+The Apache ECharts project contains subcomponents with separate copyright
+notices and license terms. Your use of the source code for these
+subcomponents is also subject to the terms and conditions of the following
+licenses.
+
+BSD 3-Clause (d3.js):
+The following files embed [d3.js](https://github.com/d3/d3) BSD 3-Clause:
+    `/src/chart/treemap/treemapLayout.ts`,
+    `/src/chart/tree/layoutHelper.ts`,
+    `/src/chart/graph/forceHelper.ts`,
+    `/src/util/number.ts`
+See `/licenses/LICENSE-d3` for details of the license.
+
+Apache ECharts
+Copyright 2017-2026 The Apache Software Foundation
+
+This product includes software developed at
+The Apache Software Foundation (https://www.apache.org/).
+
+Copyright 2010-2016 Mike Bostock
+All rights reserved.
+
+Redistribution and use in source and binary forms, with or without modification,
+are permitted provided that the following conditions are met:
+
+* Redistributions of source code must retain the above copyright notice, this
+  list of conditions and the following disclaimer.
+
+* Redistributions in binary form must reproduce the above copyright notice,
+  this list of conditions and the following disclaimer in the documentation
+  and/or other materials provided with the distribution.
+
+* Neither the name of the author nor the names of contributors may be used to
+  endorse or promote products derived from this software without specific prior
+  written permission.
+
+THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND
+ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED
+WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE ARE
+DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT OWNER OR CONTRIBUTORS BE LIABLE FOR
+ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES
+(INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES;
+LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON
+ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT
+(INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE OF THIS
+SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
+
+
+fast-deep-equal 3.1.3 (MIT)
+============================================================
+
+MIT License
+
+Copyright (c) 2017 Evgeny Poberezkin
+
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all
+copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+SOFTWARE.
+
+
+gl-matrix 3.4.3 (MIT)
+============================================================
+
+Copyright (c) 2015-2021, Brandon Jones, Colin MacKenzie IV.
+
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in
+all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN
+THE SOFTWARE.
+
+
+seedrandom 3.0.5 (MIT)
+============================================================
+
+LICENSE (MIT)
+-------------
+
+Copyright 2019 David Bau.
+
+Permission is hereby granted, free of charge, to any person obtaining
+a copy of this software and associated documentation files (the
+"Software"), to deal in the Software without restriction, including
+without limitation the rights to use, copy, modify, merge, publish,
+distribute, sublicense, and/or sell copies of the Software, and to
+permit persons to whom the Software is furnished to do so, subject to
+the following conditions:
+
+The above copyright notice and this permission notice shall be
+included in all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND,
+EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF
+MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT.
+IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY
+CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT,
+TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE
+SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+
+
+spark-md5 3.0.2 ((WTFPL OR MIT))
+============================================================
+
+DO WHAT THE FUCK YOU WANT TO PUBLIC LICENSE
+                    Version 2, December 2004
+
+ Copyright (C) 2015 André Cruz <amdfcruz@gmail.com>
+
+ Everyone is permitted to copy and distribute verbatim or modified
+ copies of this license document, and changing it is allowed as long
+ as the name is changed.
+
+            DO WHAT THE FUCK YOU WANT TO PUBLIC LICENSE
+   TERMS AND CONDITIONS FOR COPYING, DISTRIBUTION AND MODIFICATION
+
+  0. You just DO WHAT THE FUCK YOU WANT TO.
+
+
+tslib 2.3.0 (0BSD)
+============================================================
+
+/*! *****************************************************************************
+Copyright (c) Microsoft Corporation.
+
+Permission to use, copy, modify, and/or distribute this software for any
+purpose with or without fee is hereby granted.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
+OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+PERFORMANCE OF THIS SOFTWARE.
+***************************************************************************** * /
+
+Copyright (c) Microsoft Corporation.
+
+Permission to use, copy, modify, and/or distribute this software for any
+purpose with or without fee is hereby granted.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
+OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+PERFORMANCE OF THIS SOFTWARE.
+
+
+zrender 6.1.0 (BSD-3-Clause)
+============================================================
+
+BSD 3-Clause License
+
+Copyright (c) 2017, Baidu Inc.
+All rights reserved.
+
+Redistribution and use in source and binary forms, with or without
+modification, are permitted provided that the following conditions are met:
+
+* Redistributions of source code must retain the above copyright notice, this
+  list of conditions and the following disclaimer.
+
+* Redistributions in binary form must reproduce the above copyright notice,
+  this list of conditions and the following disclaimer in the documentation
+  and/or other materials provided with the distribution.
+
+* Neither the name of the copyright holder nor the names of its
+  contributors may be used to endorse or promote products derived from
+  this software without specific prior written permission.
+
+THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS"
+AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE
+IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE ARE
+DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE
+FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR
+SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER
+CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY,
+OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE
+OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
+*/
