@@ -66,6 +66,26 @@ class Page:
     def drag(self, selector, dx, dy):
         ActionChains(self.browser).drag_and_drop_by_offset(self.find(selector), dx, dy).perform()
 
+    def labels_in_the_way(self, chart):
+        """Labels of a chart that lie on another or are cut off, with what is in their way."""
+        drawn = self.script('''(() => {
+          const box = document.querySelector('#chart-' + arguments[0] + ' svg');
+          const place = (each) => each.getBoundingClientRect().toJSON();
+          return {box: place(box), texts: [...box.querySelectorAll('text')].map((each) => ({...place(each), words: each.textContent}))};
+        })()''', chart)
+        box, texts = drawn["box"], drawn["texts"]
+        assert len(texts) > 4, texts
+        found = [(one["words"], "the chart's edge") for one in texts
+                 if one["left"] < box["left"] - 1 or one["right"] > box["right"] + 1
+                 or one["top"] < box["top"] - 1 or one["bottom"] > box["bottom"] + 1]
+        for i, one in enumerate(texts):
+            for other in texts[:i]:
+                across = min(one["right"], other["right"]) - max(one["left"], other["left"])
+                down = min(one["bottom"], other["bottom"]) - max(one["top"], other["top"])
+                if across >= 1 and down >= 4:  # pixels; the boxes of letters have some air above and below
+                    found.append((one["words"], other["words"]))
+        return found
+
     def colour_at(self, place):
         """Red, green, blue of the 3-D picture at a place of the window."""
         return self.browser.execute_async_script(

@@ -81,6 +81,23 @@ def test_of_two_signs_zero_has_the_middle_of_the_colours(opened, tmp_path):
     assert page.script("report.range()") == {"from": -6, "to": 6}
 
 
+def test_labels_of_a_crowded_chart_are_apart(opened, tmp_path):
+    data = two_plies()
+    names = [f"a series with quite a long name, number {k}" for k in range(6)]
+    data["charts"] = [
+        {"id": "crowded", "title": "", "x": {"title": "shear angle (°)", "log": False}, "y": {"title": "force (N)", "log": False},
+         "series": [{"name": name, "x": [0, 60], "y": [-1234567, 0.5], "style": "line"} for name in names],
+         "marks": [{"x": 50, "label": "greatest angle"}, {"x": 52, "label": "card's range ends"}, {"x": 53, "label": "locking angle"}]},
+        {"id": "log", "title": "", "x": {"title": "time (s)", "log": True}, "y": {"title": "error (%)", "log": True},
+         "series": [{"name": "a", "x": [0.02, 0.03, None], "y": [1e-5, 2e4, 1], "style": "points"}, {"name": "b", "x": [0.02], "y": [0], "style": "dashed"}],
+         "marks": [{"x": 0.021, "label": "first"}]},
+    ]
+    page = opened(glue(data, tmp_path / "page.html"))
+    assert page.script("report.troubles") == []
+    assert page.labels_in_the_way("crowded") == []
+    assert page.labels_in_the_way("log") == []
+
+
 def test_names_on_nodes_are_not_mixed_within_a_cell(opened, tmp_path):
     data = two_plies()
     data["part"]["fields"][2]["association"] = "nodes"
