@@ -1,7 +1,6 @@
 """A report opened in headless Chromium, with what the browser complained about and asked for."""
 
 import json
-import tempfile
 
 from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
@@ -18,9 +17,8 @@ no_drawing = ["--disable-gpu", "--disable-3d-apis"]
 def start_browser(switches=drawing, size=(1100, 800)):
     options = Options()
     options.binary_location = which("chromium")
-    profile = tempfile.mkdtemp(prefix="weaveform_chromium_")
     for switch in ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run",
-                   f"--user-data-dir={profile}", "--window-size={},{}".format(*size), *switches]:
+                   "--window-size={},{}".format(*size), *switches]:
         options.add_argument(switch)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     return webdriver.Chrome(service=Service(which("chromedriver")), options=options)
