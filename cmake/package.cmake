@@ -25,4 +25,6 @@ string(REGEX REPLACE ":.*" "" CPACK_DEBIAN_PACKAGE_DEPENDS "${gmsh_package}")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xvfb, xauth, ffmpeg")
 install(FILES cmake/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/weaveform COMPONENT program)
+install(FILES post/report/viewer/packed/LICENSES.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/weaveform
+  RENAME viewer-licenses.txt COMPONENT program)
 include(CPack)

@@ -1,7 +1,6 @@
 """A report opened in headless Chromium, with what the browser complained about and asked for."""
 
 import json
-import tempfile
 
 from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
@@ -15,12 +14,11 @@ drawing = ["--enable-unsafe-swiftshader", "--use-angle=swiftshader"]  # WebGL wi
 no_drawing = ["--disable-gpu", "--disable-3d-apis"]
 
 
-def start_browser(switches=drawing, size=(1400, 950)):
+def start_browser(switches=drawing, size=(1100, 800)):
     options = Options()
     options.binary_location = which("chromium")
-    profile = tempfile.mkdtemp(prefix="weaveform_chromium_")
     for switch in ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run",
-                   f"--user-data-dir={profile}", "--window-size={},{}".format(*size), *switches]:
+                   "--window-size={},{}".format(*size), *switches]:
         options.add_argument(switch)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     return webdriver.Chrome(service=Service(which("chromedriver")), options=options)
@@ -65,6 +63,26 @@ class Page:
 
     def drag(self, selector, dx, dy):
         ActionChains(self.browser).drag_and_drop_by_offset(self.find(selector), dx, dy).perform()
+
+    def labels_in_the_way(self, chart):
+        """Labels of a chart that lie on another or are cut off, with what is in their way."""
+        drawn = self.script('''(() => {
+          const box = document.querySelector('#chart-' + arguments[0] + ' svg');
+          const place = (each) => each.getBoundingClientRect().toJSON();
+          return {box: place(box), texts: [...box.querySelectorAll('text')].map((each) => ({...place(each), words: each.textContent}))};
+        })()''', chart)
+        box, texts = drawn["box"], drawn["texts"]
+        assert len(texts) > 4, texts
+        found = [(one["words"], "the chart's edge") for one in texts
+                 if one["left"] < box["left"] - 1 or one["right"] > box["right"] + 1
+                 or one["top"] < box["top"] - 1 or one["bottom"] > box["bottom"] + 1]
+        for i, one in enumerate(texts):
+            for other in texts[:i]:
+                across = min(one["right"], other["right"]) - max(one["left"], other["left"])
+                down = min(one["bottom"], other["bottom"]) - max(one["top"], other["top"])
+                if across >= 1 and down >= 4:  # pixels; the boxes of letters have some air above and below
+                    found.append((one["words"], other["words"]))
+        return found
 
     def colour_at(self, place):
         """Red, green, blue of the 3-D picture at a place of the window."""

@@ -1,15 +1,21 @@
 """Pages made by hand: what the results at hand do not have (plies, words on an axis), broken data, a browser without WebGL."""
 
 import base64
+import hashlib
 import json
+import shutil
 import struct
+import subprocess
+import xml.dom.minidom
 from pathlib import Path
 
 import pytest
+from selenium.webdriver.support.ui import WebDriverWait
 
 from page import Page, no_drawing, start_browser
 
-packed = Path(__file__).resolve().parents[2] / "post" / "report" / "viewer" / "packed"
+viewer = Path(__file__).resolve().parents[2] / "post" / "report" / "viewer"
+packed = viewer / "packed"
 
 
 def coded(form, values):
@@ -75,6 +81,55 @@ def test_of_two_signs_zero_has_the_middle_of_the_colours(opened, tmp_path):
     assert page.script("report.range()") == {"from": -6, "to": 6}
 
 
+def test_labels_of_a_crowded_chart_are_apart(opened, tmp_path):
+    data = two_plies()
+    names = [f"a series with quite a long name, number {k}" for k in range(6)]
+    data["charts"] = [
+        {"id": "crowded", "title": "", "x": {"title": "shear angle (°)", "log": False}, "y": {"title": "force (N)", "log": False},
+         "series": [{"name": name, "x": [0, 60], "y": [-1234567, 0.5], "style": "line"} for name in names],
+         "marks": [{"x": 50, "label": "greatest angle"}, {"x": 52, "label": "card's range ends"}, {"x": 53, "label": "locking angle"}]},
+        {"id": "log", "title": "", "x": {"title": "time (s)", "log": True}, "y": {"title": "error (%)", "log": True},
+         "series": [{"name": "a", "x": [0.02, 0.03, None], "y": [1e-5, 2e4, 1], "style": "points"}, {"name": "b", "x": [0.02], "y": [0], "style": "dashed"}],
+         "marks": [{"x": 0.021, "label": "first"}]},
+    ]
+    page = opened(glue(data, tmp_path / "page.html"))
+    assert page.script("report.troubles") == []
+    assert page.labels_in_the_way("crowded") == []
+    assert page.labels_in_the_way("log") == []
+
+
+def test_names_on_nodes_are_not_mixed_within_a_cell(opened, tmp_path):
+    data = two_plies()
+    data["part"]["fields"][2]["association"] = "nodes"
+    data["part"]["frames"][0]["fields"]["friction"] = coded("H", [0] * 4 + [32767, 32767, 32767, 65534])
+    page = opened(glue(data, tmp_path / "page.html"))
+    page.script("report.setField('friction')")
+    page.script("report.look('top') ?? 0")
+    assert page.script("report.cell(1).values[2].text") == "sticks"
+    page.show(".canvas-box")
+    place = page.script("report.cellOnScreen(1)")
+    towards_last_node = {"x": place["x"] - 40, "y": place["y"] - 40}
+    assert page.colour_at(place) == page.colour_at(towards_last_node)
+
+
+def test_packed_is_of_these_sources():
+    listed = dict(reversed(line.split("  ")) for line in (packed / "SOURCES").read_text().splitlines())
+    there = [viewer / "build.mjs", viewer / "package-lock.json", *(each for each in (viewer / "src").rglob("*") if each.is_file())]
+    found = {each.relative_to(viewer).as_posix(): hashlib.sha256(each.read_bytes()).hexdigest() for each in there}
+    assert found == listed, "run ./dev viewer and commit post/report/viewer/packed"
+
+
+@pytest.mark.skipif(not shutil.which("node") or not (viewer / "node_modules" / "echarts").exists(), reason="needs npm ci in post/report/viewer")
+def test_a_chart_for_documents_is_the_same_bytes_each_time(tmp_path):
+    (tmp_path / "chart.json").write_text(json.dumps(two_plies()["charts"][0]))
+    drawings = [tmp_path / "a.svg", tmp_path / "b.svg"]
+    for file in drawings:
+        subprocess.run(["node", viewer / "draw_chart.mjs", tmp_path / "chart.json", file], check=True, timeout=30)
+    assert drawings[0].read_bytes() == drawings[1].read_bytes()
+    words = [each.firstChild.data for each in xml.dom.minidom.parse(str(drawings[0])).getElementsByTagName("text")]
+    assert {"fine", "coarse", "force (N)", "case"} <= set(words)
+
+
 def test_text_of_a_result_is_never_markup(opened, tmp_path):
     page = opened(glue(two_plies(), tmp_path / "page.html"))
     assert page.text(".number dt") == "<b>x</b>"
@@ -121,6 +176,6 @@ def test_nothing_is_wider_than_the_window(width, opened, tmp_path):
     page = opened(glue(two_plies(), tmp_path / "page.html"))
     page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
     try:
-        assert page.script("document.documentElement.scrollWidth") <= width
+        WebDriverWait(page.browser, 3).until(lambda _: page.script("document.documentElement.scrollWidth") <= width)
     finally:
         page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})

@@ -6,6 +6,7 @@ import re
 
 import pytest
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
 
 
 def summary(folder):
@@ -143,6 +144,39 @@ def test_hovering_over_a_chart_reads_the_history(bias, opened):
     assert float(nearest["top.displacement_mm"]) == pytest.approx(at, rel=1e-3)
     assert shown == pytest.approx(float(nearest[column]), rel=1e-3)
     assert "(N)" in words and "(mm)" in words
+
+
+@pytest.mark.parametrize("result", ["bias", "hemisphere", "compared", "study"])
+def test_labels_of_charts_neither_overlap_nor_are_cut_off(result, opened, request):
+    page = opened(request.getfixturevalue(result) / "report.html")
+    drawn = "[...document.querySelectorAll('.chart-box')].every((box) => box.clientWidth === Number(box.querySelector('svg').getAttribute('width')))"
+    try:
+        for width in (1100, 600):
+            page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+            WebDriverWait(page.browser, 3).until(lambda _: page.script(drawn))
+            for chart in page.script("report.charts()"):
+                assert page.labels_in_the_way(chart) == [], (chart, width)
+    finally:
+        page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_the_wheel_over_a_chart_scrolls_the_page_and_with_ctrl_zooms(bias, opened):
+    page = opened(bias / "report.html")
+    page.show("#chart-force")
+    place = page.script("report.chart('force').onScreen(0, 3)")
+    box = page.script("document.querySelector('#chart-force .chart-box').getBoundingClientRect().toJSON()")
+    middle = {"x": box["left"] + box["width"] / 2, "y": box["top"] + box["height"] / 2}
+
+    def turn(modifiers):
+        page.browser.execute_cdp_cmd("Input.dispatchMouseEvent", {
+            "type": "mouseWheel", **middle, "deltaX": 0, "deltaY": -120, "modifiers": modifiers})
+
+    top = page.script("scrollY")
+    turn(2)  # Ctrl
+    WebDriverWait(page.browser, 3).until(lambda _: page.script("report.chart('force').onScreen(0, 3)")["x"] < place["x"])
+    assert page.script("scrollY") == top
+    turn(0)
+    WebDriverWait(page.browser, 3).until(lambda _: page.script("scrollY") < top)
 
 
 def test_measured_stands_beside_simulated_in_the_same_colours(compared, opened):

@@ -1,6 +1,7 @@
 // Packs src/ and the parts of vtk.js and ECharts that it uses into packed/, with the licences of all that went in.
 // Every byte depends on the sources and the lock file alone.
 import { build } from 'esbuild';
+import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -58,8 +59,17 @@ function licenceOf(name) {
 }
 
 mkdirSync('packed', { recursive: true });
-writeFileSync(
-  'packed/LICENSES.txt',
-  'packed/report.js holds parts of these packages, each under its own licence; the rest of it is Weaveform.\n\n\n' +
-    packagesIn(script.metafile).map(licenceOf).join('\n\n'),
-);
+const licences =
+  'report.js holds parts of these packages, each under its own licence; the rest of it is Weaveform.\n\n\n' +
+  packagesIn(script.metafile).map(licenceOf).join('\n\n');
+writeFileSync('packed/LICENSES.txt', licences);
+// Who passes a report on passes the packages on, and has to pass their licences on with them.
+const comment = licences.replaceAll('*/', '* /').replaceAll('</', '< /').replaceAll('<!--', '< !--');
+writeFileSync('packed/report.js', `${readFileSync('packed/report.js', 'utf8').trimEnd()}\n/*\n${comment}*/\n`);
+
+// What it was packed from, so that a test can tell, without npm, when sources changed after packing.
+const sources = ['build.mjs', 'package-lock.json', ...readdirSync('src', { recursive: true }).map((file) => join('src', file))]
+  .filter((file) => statSync(file).isFile())
+  .sort();
+const digest = (file) => createHash('sha256').update(readFileSync(file)).digest('hex');
+writeFileSync('packed/SOURCES', sources.map((file) => `${digest(file)}  ${file}\n`).join(''));

@@ -66,33 +66,49 @@ function squareFrame(chart, room) {
   };
 }
 
-// A logarithmic axis ends at a power of ten only where that is near: else half a chart stays empty.
+// The digits times the powers of ten from the last one below to the first one above [low, high].
+function logSteps(low, high, digits) {
+  const steps = [];
+  const first = Math.floor(Math.log10(low) + 1e-9);
+  const last = Math.ceil(Math.log10(high) - 1e-9);
+  for (let power = first; power <= Math.max(last, first + 1); ++power) {
+    for (const digit of digits) steps.push(Number(`${digit}e${power}`));
+  }
+  const begin = steps.findLastIndex((step) => step <= low * (1 + 1e-9));
+  const end = steps.findIndex((step) => step >= high * (1 - 1e-9));
+  return steps.slice(begin, Math.max(end, begin + 1) + 1);
+}
+
+// Powers of ten only where there are several: within one or two the axis is divided more finely, and ends sooner.
 function logRange(values) {
   const positive = values.filter((value) => isNumber(value) && value > 0);
   if (!positive.length) return {};
   const low = positive.reduce((a, b) => Math.min(a, b));
   const high = positive.reduce((a, b) => Math.max(a, b));
-  return { min: 10 ** Math.floor(Math.log10(low) + 1e-9), max: 10 ** Math.max(Math.ceil(Math.log10(high) - 1e-9), Math.floor(Math.log10(low) + 1e-9) + 1) };
+  const digits = high / low > 300 ? [1] : high / low > 5 ? [1, 2, 5] : [1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9];
+  const steps = logSteps(low, high, digits);
+  return { min: steps[0], max: steps[steps.length - 1], steps };
 }
 
 function axisOf(chart, key, gap) {
   const { title, log } = chart[key];
   const categories = key === 'x' ? categoriesOf(chart) : null;
+  const { steps, ...ends } = log ? logRange(chart.series.flatMap((series) => series[key] ?? [])) : {};
+  const at_steps = steps ? { customValues: steps } : {};
   const has_bars = chart.series.some(({ style }) => style === 'bars');
   return {
     type: categories ? 'category' : log ? 'log' : 'value',
     ...(categories ? { data: categories } : {}),
-    ...(log ? logRange(chart.series.flatMap((series) => series[key] ?? [])) : {}),
+    ...ends,
     name: title,
     nameLocation: 'middle',
     nameGap: gap,
     nameTextStyle: { color: ink, fontSize: font.size, fontFamily: font.family },
     scale: !(key === 'y' && has_bars),
     axisLine: { show: true, onZero: false, lineStyle: { color: '#888' } },
-    axisTick: { show: true },
-    axisLabel: { color: ink, fontSize: font.size, fontFamily: font.family, hideOverlap: true, ...(categories ? {} : { formatter: (value) => numberText(value) }) },
-    splitLine: { show: !categories, lineStyle: { color: quiet } },
-    minorTick: { show: Boolean(log) },
+    axisTick: { show: true, ...at_steps },
+    axisLabel: { ...at_steps, color: ink, fontSize: font.size, fontFamily: font.family, hideOverlap: true, ...(categories ? {} : { formatter: (value) => numberText(value) }) },
+    splitLine: { ...at_steps, show: !categories, lineStyle: { color: quiet } },
   };
 }
 
@@ -100,8 +116,11 @@ function axisOf(chart, key, gap) {
 function yLabelWidth(chart) {
   const [low, high] = extent(chart, 'y');
   const step = niceStep(high - low || Math.abs(high) || 1, 5);
-  const texts = chart.y.log ? extent(chart, 'y').map((value) => numberText(10 ** Math.round(Math.log10(Math.abs(value) || 1)))) : [low, high, high - step, low + step].map((value) => numberText(Number((Math.round(value / step) * step).toPrecision(6))));
-  return Math.max(24, ...texts.map(textWidth));
+  const values = chart.y.log
+    ? (logRange(chart.series.flatMap((series) => series.y ?? [])).steps ?? [])
+    : [low, high, high - step, low + step].map((value) => Number((Math.round(value / step) * step).toPrecision(6)));
+  const texts = values.map((value) => numberText(value));
+  return Math.max(24, ...texts.map((text) => textWidth(text)));
 }
 
 /** Labels of marks whose places are near stand one below the other. */
@@ -145,7 +164,10 @@ function markLines(chart, width) {
 function seriesOf(series, index, chart, interactive) {
   const colour = series_colours[index % series_colours.length];
   const usable = (value, log) => value === null || value === undefined || !(isNumber(value) || typeof value === 'string') || (log && value <= 0) ? null : value;
-  const data = (series.x ?? []).map((x, i) => [usable(x, chart.x.log), usable(series.y[i], chart.y.log)]).filter(([x]) => x !== null);
+  // what rounding left of a zero must not give the axis a negative part
+  const rounding = 1e-9 * (series.y ?? []).reduce((most, y) => (isNumber(y) ? Math.max(most, Math.abs(y)) : most), 0);
+  const cleaned = (y) => (isNumber(y) && Math.abs(y) < rounding ? 0 : y);
+  const data = (series.x ?? []).map((x, i) => [usable(x, chart.x.log), usable(chart.y.log ? series.y[i] : cleaned(series.y[i]), chart.y.log)]).filter(([x]) => x !== null);
   const common = { name: series.name, data, color: colour, animation: false, emphasis: { focus: 'none' } };
   if (series.style === 'bars') return { ...common, type: 'bar', barCategoryGap: '8%', itemStyle: { color: colour } };
   if (series.style === 'points') {

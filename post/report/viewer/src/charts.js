@@ -43,6 +43,8 @@ function makeChart(chart) {
     start() {
       draw(true);
       box.addEventListener('dblclick', () => draw(true));
+      // ECharts would keep every turn of the wheel; without Ctrl it scrolls the page
+      box.addEventListener('wheel', (event) => event.ctrlKey || event.stopPropagation(), { capture: true, passive: true });
       new ResizeObserver(() => draw(false)).observe(box);
     },
     handle: {

@@ -28,8 +28,8 @@ function build(data) {
   const part = data.part ? attempt('The part', () => makePartView(data)) : null;
   const charts = data.charts?.length ? attempt('Charts', () => makeCharts(data.charts)) : null;
   const show = part?.handle?.webgl
-    ? (cell) => {
-        part.handle.pickCell(cell);
+    ? (number) => {
+        part.handle.pickCell(part.handle.cellOf(number));
         part.element.scrollIntoView({ behavior: 'smooth' });
       }
     : null;

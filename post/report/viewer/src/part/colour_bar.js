@@ -19,14 +19,15 @@ const bar = { width: 18, height: 240, left: 2, top: 8 };
 
 function gradientBar(field, range, levels) {
   const y = (value) => bar.top + bar.height * (1 - (value - range.from) / (range.to - range.from || 1));
-  const slices = 128;
+  const stops = 32; // twice as fine as the maps' own
   const picture = s('svg', { width: 92, height: bar.height + 16, class: 'colour-bar', role: 'img', 'aria-label': `colours from ${numberText(range.from)} to ${withUnit(range.to, field.unit)}` });
-  for (let i = 0; i < slices; ++i) {
-    const top = bar.top + (bar.height * i) / slices;
-    picture.append(s('rect', { x: bar.left, y: top, width: bar.width, height: bar.height / slices + 0.6, fill: css(colourAt(field.scale, 1 - (i + 0.5) / slices)) }));
-  }
+  const colours = Array.from({ length: stops + 1 }, (_, i) => s('stop', { offset: i / stops, 'stop-color': css(colourAt(field.scale, 1 - i / stops)) }));
+  picture.append(
+    s('linearGradient', { id: 'bar-colours', x1: 0, x2: 0, y1: 0, y2: 1 }, ...colours),
+    s('rect', { x: bar.left, y: bar.top, width: bar.width, height: bar.height, fill: 'url(#bar-colours)' }),
+  );
   const line = (value, attributes) => picture.append(s('line', { x1: bar.left, x2: bar.left + bar.width, y1: y(value), y2: y(value), ...attributes }));
-  for (const level of levels) line(level, { stroke: '#111', 'stroke-width': 1 });
+  for (const level of levels.filter((value) => value >= range.from && value <= range.to)) line(level, { stroke: '#111', 'stroke-width': 1 });
   const limits = field.limit === null || field.limit === undefined ? [] : field.scale === 'diverging' ? [-field.limit, field.limit] : [field.limit];
   const shown_limits = limits.filter((value) => value >= range.from && value <= range.to);
   const right = bar.left + bar.width;
@@ -68,7 +69,7 @@ function rangeInputs(field, range, changed, reset) {
         else event.target.value = Number(range[end].toPrecision(4));
       },
     }));
-  return h('div', { class: 'range no-print' }, input('to', 'to'), input('from', 'from'), h('button', { type: 'button', onclick: reset, title: 'Colours over all values of all frames' }, 'all values'));
+  return h('div', { class: 'range no-print' }, input('to', 'to'), input('from', 'from'), h('button', { type: 'button', onclick: reset, title: 'Colours over all values of all frames' }, 'whole range'));
 }
 
 /** Draws the bar for the field into `element`; field null: none. */

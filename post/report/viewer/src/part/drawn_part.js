@@ -1,7 +1,7 @@
 // The part on the stage: its surface in the field's colours, cell edges, yarns, isolines, the picked cell.
 import { colouring } from '../colour_maps.js';
 import { isolines } from './isolines.js';
-import { centreOf, cornersOf, nodeMeans, nodeNormals } from './model.js';
+import { categoryOfCell, centreOf, cornersOf, nodeMeans, nodeNormals } from './model.js';
 import { makeLines, makeSurface, polygonsOf } from './shapes.js';
 
 /** Seen on every colour of the field's map. */
@@ -61,6 +61,7 @@ export function drawPart(stage, model) {
 
   let shown = [];
   let shown_key = null;
+  let edges_known = false; // of the shown cells; found when they are first asked for
   const all_nodes = Uint32Array.from({ length: model.node_count }, (_, i) => i);
 
   function choosePlies(hidden) {
@@ -71,8 +72,21 @@ export function drawPart(stage, model) {
     for (let cell = 0; cell < model.cell_count; ++cell) if (!model.cell_plies || !hidden.has(model.cell_plies[cell])) list.push(cell);
     shown = Uint32Array.from(list);
     surface.setPolygons(polygonsOf(model.cells, shown));
-    lines.edges.setPairs(edgePairs(model.cells, shown));
+    edges_known = false;
     for (const name of ['warp', 'weft']) lines[name].setPairs(shownPairs(model.yarns[name], model.cells, shown, model.node_count));
+  }
+
+  // Names are not mixed between nodes, as colours of numbers are: a mixture might look like a third name.
+  function paint(field, { frame, range }) {
+    if (!field) return surface.setColours(null, { per_point: false });
+    const values = model.values(field, frame);
+    const on_nodes = field.association === 'nodes';
+    if (on_nodes && values && field.scale === 'categories') {
+      const of_cells = new Float32Array(model.cell_count);
+      for (const cell of shown) of_cells[cell] = categoryOfCell(model.cells, values, cell);
+      return surface.setColours(coloursOf(of_cells, shown, field, range), { per_point: false });
+    }
+    return surface.setColours(coloursOf(values, on_nodes ? all_nodes : shown, field, range), { per_point: on_nodes });
   }
 
   function drawLevels({ field, frame, levels }, positions) {
@@ -104,8 +118,11 @@ export function drawPart(stage, model) {
       const positions = model.positions(state.frame);
       surface.setPositions(positions, nodeNormals(model, positions, shown));
       const { field } = state;
-      const per_point = field?.association === 'nodes';
-      surface.setColours(field ? coloursOf(model.values(field, state.frame), per_point ? all_nodes : shown, field, state.range) : null, { per_point });
+      paint(field, state);
+      if (state.edges && !edges_known) {
+        lines.edges.setPairs(edgePairs(model.cells, shown));
+        edges_known = true;
+      }
       for (const name of ['edges', 'warp', 'weft']) {
         lines[name].actor.setVisibility(Boolean(state[name]));
         if (state[name]) lines[name].setPositions(positions);

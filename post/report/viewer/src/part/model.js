@@ -2,7 +2,8 @@
 import { checkIndices, DataError, decode, positionsOf, valuesOf } from '../data.js';
 
 /**
- * From the "part" of the data: {node_count, cell_count, cells (4 nodes each), cell_plies (or null), plies (sorted), yarns
+ * From the "part" of the data: {node_count, cell_count, cells (4 nodes each), numberOf(cell) as the mesh counts and
+ * cellOf(number), the first that is drawn of it or -1, cell_plies (or null), plies (sorted), yarns
  * {warp, weft}, fields, frames [{label}], positions(frame), values(field, frame)}. Throws DataError.
  */
 export function makeModel(part) {
@@ -15,6 +16,7 @@ export function makeModel(part) {
     yarns[name] = decode(part.yarns?.[name] ?? '', Uint32Array, `${name} yarns`);
     checkIndices(yarns[name], node_count, `${name} yarns`);
   }
+  const numbers = part.cell_numbers ? decode(part.cell_numbers, Uint32Array, 'numbers of the cells', cell_count) : null;
   const cell_plies = part.plies ? decode(part.plies, Uint8Array, 'plies of the cells', cell_count) : null;
   const position_cache = new Map();
   const value_cache = new Map();
@@ -41,6 +43,8 @@ export function makeModel(part) {
     node_count,
     cell_count,
     cells,
+    numberOf: (cell) => (numbers ? numbers[cell] : cell),
+    cellOf: (number) => (numbers ? numbers.indexOf(number) : number),
     cell_plies,
     plies: cell_plies ? [...new Set(cell_plies)].sort((a, b) => a - b) : [],
     yarns,
@@ -64,6 +68,21 @@ export function centreOf(cells, positions, cell) {
   return centre;
 }
 
+/** The category that most corners of a cell have; of as many the later one. NaN where none has any. */
+export function categoryOfCell(cells, values, cell) {
+  const counts = new Map();
+  for (let i = 0; i < cornersOf(cells, cell); ++i) {
+    const value = Math.round(values[cells[4 * cell + i]]);
+    if (!Number.isNaN(value)) counts.set(value, (counts.get(value) ?? 0) + 1);
+  }
+  let best = NaN;
+  for (const [value, count] of counts) {
+    const most = counts.get(best) ?? 0;
+    if (count > most || (count === most && value > best)) best = value;
+  }
+  return best;
+}
+
 /** Values of the nodes from those of the cells: the mean over a node's cells that have one, of `shown` cells only. */
 export function nodeMeans({ cells, node_count }, values, shown) {
   const sums = new Float32Array(node_count);
@@ -81,14 +100,24 @@ export function nodeMeans({ cells, node_count }, values, shown) {
 /** Smooth normals of the nodes, by the area of the cells around them. */
 export function nodeNormals({ cells, node_count }, positions, shown) {
   const normals = new Float32Array(3 * node_count);
-  const p = (node, axis) => positions[3 * node + axis];
   for (const cell of shown) {
-    const [a, b, c, d] = cells.subarray(4 * cell, 4 * cell + 4);
+    const a = 3 * cells[4 * cell];
+    const b = 3 * cells[4 * cell + 1];
+    const c = 3 * cells[4 * cell + 2];
+    const d = 3 * cells[4 * cell + 3];
     // half the cross product of the diagonals is a quad's vector area; of a triangle (d = c) it is the triangle's
-    const u = [0, 1, 2].map((axis) => p(c, axis) - p(a, axis));
-    const v = [0, 1, 2].map((axis) => p(d, axis) - p(b, axis));
-    const n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    for (const node of d === c ? [a, b, c] : [a, b, c, d]) for (let axis = 0; axis < 3; ++axis) normals[3 * node + axis] += n[axis];
+    const ux = positions[c] - positions[a];
+    const uy = positions[c + 1] - positions[a + 1];
+    const uz = positions[c + 2] - positions[a + 2];
+    const vx = positions[d] - positions[b];
+    const vy = positions[d + 1] - positions[b + 1];
+    const vz = positions[d + 2] - positions[b + 2];
+    for (let corner = 0; corner < cornersOf(cells, cell); ++corner) {
+      const at = 3 * cells[4 * cell + corner];
+      normals[at] += uy * vz - uz * vy;
+      normals[at + 1] += uz * vx - ux * vz;
+      normals[at + 2] += ux * vy - uy * vx;
+    }
   }
   for (let i = 0; i < normals.length; i += 3) {
     const size = Math.hypot(normals[i], normals[i + 1], normals[i + 2]) || 1;

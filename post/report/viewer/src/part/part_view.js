@@ -12,6 +12,7 @@ import { describeCell, drawPick } from './pick_panel.js';
 import { cellOnRay } from './ray.js';
 import { canDraw, makeStage } from './stage.js';
 import { drawTools } from './tools.js';
+import { makeTriad } from './triad.js';
 
 function firstState(model) {
   const field = model.fields[0] ?? null;
@@ -50,6 +51,29 @@ function ballAround(arrays) {
   return { centre, radius: Math.hypot(...low.map((x, axis) => high[axis] - x)) / 2 || 1 };
 }
 
+function joined(arrays) {
+  const all = new Float32Array(arrays.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const array of arrays) {
+    all.set(array, at);
+    at += array.length;
+  }
+  return all;
+}
+
+// A part that stays in its plane is best seen from above.
+function isFlat(positions) {
+  const sizes = [0, 1, 2].map((axis) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = axis; i < positions.length; i += 3) {
+      low = Math.min(low, positions[i]);
+      high = Math.max(high, positions[i]);
+    }
+    return high - low;
+  });
+  return sizes[2] < 0.02 * Math.max(sizes[0], sizes[1]);
+}
+
 /** Builds the section; returns {element, start(), handle}: start() draws once the element is in the page. */
 export function makePartView(data) {
   const model = makeModel(data.part);
@@ -75,13 +99,14 @@ function layOut(data, model, title) {
   const bar = h('div', { class: 'bar' });
   const panel = h('div', { class: 'pick', 'aria-live': 'polite' });
   const note = h('p', { class: 'note' });
-  const slots = { controls: h('div'), timeline: h('div') };
+  const slots = { controls: h('div'), timeline: h('div'), views: h('div') };
   const element = section('part', title,
     slots.controls,
     h('div', { class: 'stage' }, picture, h('div', { class: 'side' }, bar, panel)),
-    slots.timeline,
+    h('div', { class: 'below' }, slots.timeline, slots.views),
     note,
-    h('p', { class: 'hint no-print' }, 'Drag turns, shift and drag moves, the wheel comes nearer once the picture was clicked.', data.part.thinned ? ` ${data.part.thinned}.` : ''),
+    h('p', { class: 'note' }, data.part.thinned ? `Thinned, so that the file stays small: ${data.part.thinned}.` : ''),
+    h('p', { class: 'hint no-print' }, 'Drag turns, shift and drag moves, the wheel comes nearer once the picture was clicked.'),
   );
   return { element, canvas_box, ring, picture, still, bar, panel, note, slots };
 }
@@ -101,7 +126,9 @@ function run(data, model, state, parts) {
   const controls = makeControls({ model, tool_names: tools.names, state }, { setField, set });
   const timeline = makeTimeline({ frames: model.frames, state }, setFrame);
   slots.controls.replaceWith(controls.element);
-  picture.append(makeViewButtons(lookFrom));
+  const triad = makeTriad();
+  slots.views.replaceWith(makeViewButtons(lookFrom));
+  picture.append(triad.element);
   slots.timeline.replaceWith(timeline.element);
 
   function update() {
@@ -147,7 +174,8 @@ function run(data, model, state, parts) {
   }
 
   function lookFrom(name) {
-    const points = model.positions(state.frame);
+    // a standing view has room for the flat blank too, so that it stays in the picture while time passes
+    const points = name === 'fit' ? model.positions(state.frame) : joined([model.positions(0), model.positions(state.frame), model.positions(model.frames.length - 1)]);
     look(stage.camera, name === 'fit' ? null : name, points, aspect(), ball.centre);
     seen();
   }
@@ -183,7 +211,7 @@ function run(data, model, state, parts) {
     ring.hidden = !inside;
     if (inside) ring.style.transform = `translate(${place.x - box.left}px, ${place.y - box.top}px)`;
   }
-  stage.drawn.push(placeRing);
+  stage.drawn.push(placeRing, () => triad.draw(stage.camera));
 
   function start() {
     new ResizeObserver(() => {
@@ -193,7 +221,7 @@ function run(data, model, state, parts) {
     stage.resize();
     watch(canvas_box, stage.camera, { changed: seen, clicked });
     update();
-    lookFrom('slant');
+    lookFrom(isFlat(model.positions(state.frame)) ? 'top' : 'slant');
     stage.render();
     window.addEventListener('beforeprint', () => (still.src = stage.picture()));
   }
@@ -212,6 +240,7 @@ function run(data, model, state, parts) {
     set,
     pickCell,
     picked: () => (state.picked >= 0 ? describeCell(model, state.picked, state.frame) : null),
+    cellOf: model.cellOf,
     cellCount: () => model.cell_count,
     cell: (cell) => describeCell(model, cell, state.frame),
     cellOnScreen: (cell) => pointOnScreen(part.centre(cell, state.frame)),

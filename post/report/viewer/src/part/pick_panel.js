@@ -1,15 +1,18 @@
 // What the picked cell has: number, place, every field's value.
 import { h } from '../elements.js';
 import { numberText, withUnit } from '../words.js';
-import { centreOf, cornersOf } from './model.js';
+import { categoryOfCell, centreOf, cornersOf } from './model.js';
 
-/** Value of a field in a cell at a frame; of a node field the mean of the cell's corners. NaN: none. */
+/**
+ * Value of a field in a cell at a frame; of a node field the mean of the cell's corners, or their most frequent
+ * category. NaN: none. */
 export function valueInCell(model, field, frame, cell) {
   const values = model.values(field, frame);
   if (!values) return NaN;
   if (field.association !== 'nodes') return values[cell];
+  if (field.scale === 'categories') return categoryOfCell(model.cells, values, cell);
   const corners = Array.from({ length: cornersOf(model.cells, cell) }, (_, i) => values[model.cells[4 * cell + i]]);
-  return field.scale === 'categories' ? Math.max(...corners) : corners.reduce((sum, value) => sum + value, 0) / corners.length;
+  return corners.reduce((sum, value) => sum + value, 0) / corners.length;
 }
 
 function valueText(field, value) {
@@ -17,10 +20,11 @@ function valueText(field, value) {
   return withUnit(value, field.unit);
 }
 
-/** {cell, centre, values: [{name, title, unit, value, text}]} */
+/** {cell, number, centre, values: [{name, title, unit, value, text}]} */
 export function describeCell(model, cell, frame) {
   return {
     cell,
+    number: model.numberOf(cell),
     ply: model.cell_plies ? model.cell_plies[cell] + 1 : null,
     centre: centreOf(model.cells, model.positions(frame), cell),
     values: model.fields.map((field) => {
@@ -37,10 +41,10 @@ export function drawPick(element, model, { picked, frame }, forget) {
     element.append(h('p', { class: 'hint' }, 'Click a cell of the part to read its values.'));
     return;
   }
-  const { centre, ply, values } = describeCell(model, picked, frame);
+  const { centre, number, ply, values } = describeCell(model, picked, frame);
   const row = (name, text) => h('tr', {}, h('th', { scope: 'row' }, name), h('td', {}, text));
   element.append(
-    h('div', { class: 'pick-title' }, h('strong', {}, `Cell ${picked}`), h('button', { type: 'button', class: 'no-print', onclick: forget, 'aria-label': 'forget the cell' }, '×')),
+    h('div', { class: 'pick-title' }, h('strong', {}, `Cell ${number}`), h('button', { type: 'button', class: 'no-print', onclick: forget, 'aria-label': 'forget the cell' }, '×')),
     h('table', {}, h('tbody', {},
       ply !== null && model.plies.length > 1 && row('ply', String(ply)),
       row('centre (mm)', centre.map((x) => numberText(Number(x.toFixed(2)))).join(', ')),
