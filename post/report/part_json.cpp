@@ -210,11 +210,15 @@ std::string packed_cells(const ShownPart& part) {
   return base64(numbers);
 }
 
-// Of the mesh, as mesh.vtu and messages count them; of a block its first.
-std::string cell_numbers(const ShownPart& part) {
+// Of the mesh, as mesh.vtu and messages count them; of a block the cell that is sheared most at the end.
+std::string cell_numbers(const ShownPart& part, const std::vector<double>& shear_angle) {
   std::vector<std::uint32_t> numbers;
-  for (std::size_t c = 0; c < part.cell.size(); ++c)
-    numbers.push_back(static_cast<std::uint32_t>(part.of[static_cast<std::size_t>(part.first[c])]));
+  for (std::size_t c = 0; c < part.cell.size(); ++c) {
+    const auto begin = part.of.begin() + part.first[c], end = part.of.begin() + part.first[c + 1];
+    numbers.push_back(static_cast<std::uint32_t>(*std::max_element(begin, end, [&](int a, int b) {
+      return std::abs(shear_angle[static_cast<std::size_t>(a)]) < std::abs(shear_angle[static_cast<std::size_t>(b)]);
+    })));
+  }
   return base64(numbers);
 }
 
@@ -282,13 +286,14 @@ PartPage part_json(ResultFolder& folder, const std::optional<Forming>& forming, 
   page.high = {-1e300, -1e300, -1e300};
   const CellsBeside beside = cells_beside_yarns(mesh);
   std::vector<std::vector<Vec3>> positions;
+  Fields end;
   for (const FrameFile& frame : page.frames) {
     positions.push_back(folder.positions(frame));
     for (const Vec3& x : positions.back())
       for (std::size_t c = 0; c < 3; ++c)
         page.low[c] = std::min(page.low[c], x[c]), page.high[c] = std::max(page.high[c], x[c]);
-    add_fabric(tracks, part, mesh, beside,
-               compute_fields(mesh, model.card, model.scene.model, frame.time, positions.back()));
+    end = compute_fields(mesh, model.card, model.scene.model, frame.time, positions.back());
+    add_fabric(tracks, part, mesh, beside, end);
     if (has_contact) add_contact(tracks, contact_at, part, mesh, frame);
   }
   if (forming) add_wrinkles(tracks, part, *forming, page.frames.size());
@@ -301,7 +306,7 @@ PartPage part_json(ResultFolder& folder, const std::optional<Forming>& forming, 
                {"cell_count", part.cell.size()},
                {"thinned", thinning_words(thinning, mesh, folder.frames().size())},
                {"cells", packed_cells(part)},
-               {"cell_numbers", cell_numbers(part)},
+               {"cell_numbers", cell_numbers(part, end.shear_angle)},
                {"plies", nullptr},
                {"yarns", {{"warp", packed_yarns(part.yarn[0])}, {"weft", packed_yarns(part.yarn[1])}}},
                {"position", {{"origin", origin}, {"step", step}}}};

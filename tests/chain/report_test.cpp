@@ -149,6 +149,10 @@ TEST_F(Report, ALargeOneIsThinnedAndSaysSo) {
   weaveform::ResultFolder folder(file("done"));
   const auto whole = weaveform::part_json(folder, {});
   EXPECT_EQ(whole.frames.size(), folder.frames().size());
+  const auto end = weaveform::evaluate(folder).end.shear_angle;
+  const auto most_sheared = static_cast<std::uint32_t>(
+      std::max_element(end.begin(), end.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      end.begin());
   for (const std::size_t most : {150000U, 40000U}) {
     const auto page = weaveform::part_json(folder, {}, most);
     EXPECT_LT(page.json.dump().size(), most * 4 / 3 + 4000) << "base64 and names";
@@ -156,7 +160,9 @@ TEST_F(Report, ALargeOneIsThinnedAndSaysSo) {
     EXPECT_GE(page.frames.size(), weaveform::least_frames);
     EXPECT_EQ(page.frames.front().time, folder.frames().front().time);
     EXPECT_EQ(page.frames.back().time, folder.frames().back().time);
-    // the peak is not thinned away
+    // the peak is not thinned away, and its cell can be found
+    const auto numbers = decoded<std::uint32_t>(page.json["cell_numbers"]);
+    EXPECT_NE(std::find(numbers.begin(), numbers.end(), most_sheared), numbers.end());
     EXPECT_NEAR(page.json["fields"][0]["to"].get<double>(), whole.json["fields"][0]["to"].get<double>(), 1e-9);
   }
 }
