@@ -118,7 +118,8 @@ std::string table_of(const std::vector<std::string>& measures, const std::vector
     }
   }
   text += "\n";
-  for (std::size_t m = 0; m < all.size(); ++m) text += fmt::format("{}: {}\n", measure_in_words(measures[m]), verdict(all[m]));
+  for (std::size_t m = 0; m < all.size(); ++m)
+    text += fmt::format("{}: {}\n", measure_in_words(measures[m]), verdict(all[m]));
   return text;
 }
 

@@ -178,10 +178,9 @@ const Keys& bias_extension_keys() {
 
 std::vector<KeyInfo> fit_keys() {
   std::vector<KeyInfo> all;
-  for (const auto& keys :
-       {describe_keys("", fit_head_keys()), describe_keys("shear", shear_fit_keys()),
-        describe_keys("tensile", tensile_keys()), describe_keys("shear_frame", shear_frame_keys()),
-        describe_keys("bias_extension", bias_extension_keys())})
+  for (const auto& keys : {describe_keys("", fit_head_keys()), describe_keys("shear", shear_fit_keys()),
+                           describe_keys("tensile", tensile_keys()), describe_keys("shear_frame", shear_frame_keys()),
+                           describe_keys("bias_extension", bias_extension_keys())})
     all.insert(all.end(), keys.begin(), keys.end());
   return all;
 }
