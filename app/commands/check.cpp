@@ -1,14 +1,17 @@
 // weaveform check SCENE: reads a scene as `run` would, down to its mesh, and prints it complete with every default;
 // with --resolved also what the program chose where the scene leaves it to it.
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
 #include "app/stages/checked_model.hpp"
 #include "app/stages/claims.hpp"
+#include "app/stages/mesh_json.hpp"
 #include "app/stages/resolved_text.hpp"
 #include "app/stages/stages.hpp"
+#include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {
@@ -17,7 +20,7 @@ namespace {
 
 struct CheckArguments {
   SceneArguments scene;
-  bool resolved = false;
+  bool resolved = false, json = false;
 };
 
 }  // namespace
@@ -28,13 +31,15 @@ void add_check_command(CLI::App& program) {
   add_scene_arguments(*command, arguments->scene);
   command->add_flag("--resolved", arguments->resolved,
                     "Print too what the scene came to: mesh, symmetry, duration, damping, step, laws, tools, threads");
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] {
     const SceneArguments& scene = arguments->scene;
     const Resolved model = checked_model(scene.scene, scene.overrides, scene.yes, Look::with_first_step);
     const std::string expected = require_room(model, default_result_folder(scene.scene), scene.yes);
     log_warnings(early_warnings(model));
-    print_answer("# " + describe(model) + "\n# " + expected + "\n" + scene_to_toml(model.scene) +
-                 (arguments->resolved ? resolved_text(model) : ""));
+    const std::string resolved = arguments->resolved ? resolved_text(model) : "";
+    if (arguments->json) return print_answer(json_text(check_json(model, expected, resolved)));
+    print_answer("# " + describe(model) + "\n# " + expected + "\n" + scene_to_toml(model.scene) + resolved);
   });
 }
 

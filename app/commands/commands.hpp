@@ -82,6 +82,13 @@ inline void add_quiet_argument(CLI::App& command, bool& quiet) {
       "Print nothing but warnings and errors");
 }
 
+// Of every command that prints an answer; after add_quiet_argument, where there is one, for then nothing is printed.
+inline void add_json_argument(CLI::App& command, bool& json) {
+  CLI::Option* option =
+      command.add_flag("--json", json, "Print the answer as one JSON document instead (docs/results.md)");
+  if (command.get_option_no_throw("--quiet") != nullptr) option->excludes("--quiet");
+}
+
 inline void add_verbose_argument(CLI::App& command, bool& verbose) {
   command.add_flag("-v,--verbose", verbose, "Print the complete scene first, with every default")->excludes("--quiet");
 }

@@ -6,12 +6,15 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/stages/output_folder.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
+#include "core/json/keys_json.hpp"
 #include "core/keys/nearest_name.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/scene_copy.hpp"
@@ -36,7 +39,7 @@ struct DicArguments {
   std::string format = "aramis";
   std::vector<double> facets = {2.0, 4.0, 6.0, 8.0, 10.0};
   std::string form;  // settings file to be written
-  bool keys = false, force = false, quiet = false;
+  bool keys = false, force = false, quiet = false, json = false;
 };
 
 void require_result(const DicArguments& arguments) {
@@ -73,6 +76,11 @@ void write_form(const DicArguments& arguments) {
   const auto questions =
       arguments.measurement.empty() ? dic::Questions{} : dic::questions_of(arguments.measurement, settings);
   write_text_whole(arguments.form, dic::settings_form(settings, questions));
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"settings", arguments.form}, {"questions", nlohmann::ordered_json::array()}};
+    for (const auto& question : questions) json["questions"].push_back(dic::question_line(question));
+    print_answer(json_text(json));
+  }
   if (arguments.quiet) return;
   for (const auto& question : questions) log_line(dic::question_line(question));
   log_line(fmt::format("written: {}; {} question(s) to answer in it, then run with --settings {}", arguments.form,
@@ -80,7 +88,9 @@ void write_form(const DicArguments& arguments) {
 }
 
 void run_compare(const DicArguments& arguments) {
-  if (arguments.keys) return print_answer(dic::settings_reference_markdown());
+  if (arguments.keys)
+    return print_answer(arguments.json ? json_text(keys_json(dic::settings_keys()))
+                                       : dic::settings_reference_markdown());
   if (!arguments.form.empty()) return write_form(arguments);
   require_result(arguments);
   if (arguments.measurement.empty())
@@ -94,7 +104,7 @@ void run_compare(const DicArguments& arguments) {
   log_warning(folder.trouble());
   const auto comparison = dic::compare(arguments.result, arguments.measurement, settings, output);
   if (arguments.quiet) return;
-  print_answer(dic::verdict_table(comparison));
+  print_answer(arguments.json ? json_text(dic::comparison_json(comparison)) : dic::verdict_table(comparison));
   log_line(fmt::format("written: {}", (output / dic::file_name::comparison).string()));
 }
 
@@ -122,7 +132,8 @@ void run_virtual(const DicArguments& arguments) {
 void run_border(const DicArguments& arguments) {
   require_result(arguments);
   const auto settings = dic::read_settings(arguments.settings, arguments.overrides);
-  print_answer(dic::zone_border_table(dic::zone_border_widths(arguments.result, arguments.facets, settings)));
+  const auto borders = dic::zone_border_widths(arguments.result, arguments.facets, settings);
+  print_answer(arguments.json ? json_text(dic::zone_border_json(borders)) : dic::zone_border_table(borders));
 }
 
 CLI::App* add_command(CLI::App& post, const char* name, const char* doc, DicArguments& arguments) {
@@ -153,6 +164,7 @@ void add_dic_commands(CLI::App& post) {
   compare->add_flag("--keys", arguments->keys, "Print every key of the settings file (Markdown)");
   add_force_argument(*compare, arguments->force);
   add_quiet_argument(*compare, arguments->quiet);
+  add_json_argument(*compare, arguments->json);
   compare->callback([arguments] { run_compare(*arguments); });
 
   auto* make =
@@ -167,6 +179,7 @@ void add_dic_commands(CLI::App& post) {
   auto* border = add_command(post, "border", "Width of a bias extension's zone borders against facet size", *arguments);
   border->add_option("--facet", arguments->facets, "Facet size, mm; repeatable (default 2, 4, 6, 8, 10)")
       ->allow_extra_args(false);
+  add_json_argument(*border, arguments->json);
   border->callback([arguments] { run_border(*arguments); });
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/stage_log.hpp"
@@ -10,6 +11,7 @@
 #include "app/stages/checked_model.hpp"
 #include "app/stages/claims.hpp"
 #include "core/error.hpp"
+#include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/scene/scene_copy.hpp"
 #include "post/output/drape_result.hpp"
@@ -21,7 +23,7 @@ namespace {
 struct DrapeArguments {
   SceneArguments scene;
   std::string output;
-  bool quiet = false, verbose = false;
+  bool quiet = false, verbose = false, json = false;
 };
 
 void make_drape(const DrapeArguments& arguments) {
@@ -37,10 +39,10 @@ void make_drape(const DrapeArguments& arguments) {
   const Drape drape = drape_blank(scene, model.mesh, model.tools);
   clear_folder(directory, scene);
   write_scene_copy(with_absolute_paths(scene), directory);
-  write_drape(scene, model.mesh, model.card, model.tools, drape, directory);
+  const auto json = write_drape(scene, model.mesh, model.card, model.tools, drape, directory);
   log_warnings(drape_warnings(model.mesh, model.card, drape));
   if (arguments.quiet) return;
-  print_answer(describe_drape(model.mesh, model.card, drape));
+  print_answer(arguments.json ? json_text(json) : describe_drape(model.mesh, model.card, drape));
   log_end(directory, "drape.vtu for ParaView, flat_pattern.csv for the cutter, the numbers in drape.json");
 }
 
@@ -54,6 +56,7 @@ void add_drape_command(CLI::App& program) {
   add_output_argument(*command, arguments->output);
   add_quiet_argument(*command, arguments->quiet);
   add_verbose_argument(*command, arguments->verbose);
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] { make_drape(*arguments); });
 }
 

@@ -2,17 +2,21 @@
 #include "mesher/exchange/export.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/stages/checked_model.hpp"
 #include "app/stages/claims.hpp"
+#include "app/stages/mesh_json.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
 #include "core/keys/length_unit.hpp"
 #include "core/version/version.hpp"
 #include "mesher/mesh/mesh_io.hpp"
@@ -39,7 +43,7 @@ struct ExportArguments {
   std::optional<double> within, group_angle;
   std::string materials;  // of Materials; "" for the format's own
   bool is_static = false;
-  bool force = false, quiet = false, yes = false;
+  bool force = false, quiet = false, yes = false, json = false;
 };
 
 Resolved model_of(const ExportArguments& arguments) {
@@ -94,16 +98,19 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   options.run_name = run_name_of(arguments.output);
   const ExportedMesh file =
       export_mesh(format, model.scene, model.card, model.mesh, model.tools, duration, version_line(), options);
-  std::string written = arguments.output;
+  std::vector<std::string> written = {arguments.output};
   if (!file.engine.empty()) {
     const fs::path engine = fs::path(arguments.output).parent_path() / (options.run_name + "_0001.rad");
     require_writable(engine, files_read(arguments, model.scene), arguments.force);
     write_text_whole(engine, file.engine);
-    written += " and " + engine.string();
+    written.push_back(engine.string());
   }
   write_text_whole(arguments.output, file.text);
   log_not_carried(arguments, file.not_carried);
-  if (!arguments.quiet) print_answer(fmt::format("{}: {}", written, describe(model)));
+  if (arguments.json)
+    print_answer(json_text({{"files", written}, {"mesh", mesh_json(model)}, {"not_carried", file.not_carried}}));
+  else if (!arguments.quiet)
+    print_answer(fmt::format("{}: {}", fmt::join(written, " and "), describe(model)));
 }
 
 // What says something of --onto alone, or of one format.
@@ -161,6 +168,31 @@ FibreText fibre_text(const ExportArguments& arguments, FibreFormat format, const
   return drape_openradioss(field, version_line());
 }
 
+std::string describe_fibres(const ExportArguments& arguments, const FibreField& field) {
+  std::string answer = fmt::format("{}: {} shells", arguments.output, field.element.size());
+  if (!arguments.onto.empty())
+    answer += fmt::format("; distance from the formed fabric: greatest {:.4g} mm, mean {:.4g} mm{}",
+                          field.greatest_distance, field.mean_distance,
+                          field.far > 0
+                              ? fmt::format(" of the {} within {:.4g} mm",
+                                            field.element.size() - static_cast<std::size_t>(field.far), field.within)
+                              : "");
+  return answer;
+}
+
+nlohmann::ordered_json fibres_json(const ExportArguments& arguments, const FibreField& field,
+                                   const std::vector<std::string>& not_carried) {
+  nlohmann::ordered_json json = {{"files", nlohmann::ordered_json::array({arguments.output})},
+                                 {"shells", field.element.size()}};
+  if (!arguments.onto.empty())
+    json["distance_from_fabric"] = {{"greatest_mm", field.greatest_distance},
+                                    {"mean_mm", field.mean_distance},
+                                    {"within_mm", field.within},
+                                    {"shells_beyond", field.far}};
+  json["not_carried"] = not_carried;
+  return json;
+}
+
 void export_fibres(const ExportArguments& arguments, FibreFormat format) {
   if (arguments.is_static || !arguments.materials.empty())
     throw InputError(
@@ -175,6 +207,7 @@ void export_fibres(const ExportArguments& arguments, FibreFormat format) {
                    : format == FibreFormat::vtu ? "Name=\"fibre_volume_ratio\""
                                                 : "");
   FibreField field = read_fibre_field(result);
+  std::vector<std::string> not_carried;
   if (!arguments.onto.empty()) field = mapped(arguments, format, field);
   warn_of_far_shells(arguments, field);
   if (format == FibreFormat::vtu) {
@@ -182,18 +215,11 @@ void export_fibres(const ExportArguments& arguments, FibreFormat format) {
   } else {
     const FibreText file = fibre_text(arguments, format, field);
     write_text_whole(arguments.output, file.text);
-    log_not_carried(arguments, file.not_carried);
+    not_carried = file.not_carried;
+    log_not_carried(arguments, not_carried);
   }
-  if (arguments.quiet) return;
-  std::string answer = fmt::format("{}: {} shells", arguments.output, field.element.size());
-  if (!arguments.onto.empty())
-    answer += fmt::format("; distance from the formed fabric: greatest {:.4g} mm, mean {:.4g} mm{}",
-                          field.greatest_distance, field.mean_distance,
-                          field.far > 0
-                              ? fmt::format(" of the {} within {:.4g} mm",
-                                            field.element.size() - static_cast<std::size_t>(field.far), field.within)
-                              : "");
-  print_answer(answer);
+  if (arguments.json) return print_answer(json_text(fibres_json(arguments, field, not_carried)));
+  if (!arguments.quiet) print_answer(describe_fibres(arguments, field));
 }
 
 void run_export(const ExportArguments& arguments) {
@@ -267,6 +293,7 @@ void add_export_command(CLI::App& program) {
   add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
   add_yes_argument(*command, arguments->yes);
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] { run_export(*arguments); });
 }
 

@@ -3,12 +3,15 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/stages/output_folder.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
+#include "core/json/keys_json.hpp"
 #include "fabric/identify/identify.hpp"
 #include "solver/result/chart_file.hpp"
 
@@ -22,7 +25,7 @@ struct FitArguments {
   std::string file;
   std::string output;
   bool keys = false;
-  bool force = false, quiet = false;
+  bool force = false, quiet = false, json = false;
 };
 
 // The fit file, its base card and every test file.
@@ -54,7 +57,9 @@ void say_notes(const identify::Identification& found) {
 }
 
 void fit(const FitArguments& arguments) {
-  if (arguments.keys) return print_answer(identify::fit_reference_markdown());
+  if (arguments.keys)
+    return print_answer(arguments.json ? json_text(keys_json(identify::fit_keys()))
+                                       : identify::fit_reference_markdown());
   if (arguments.file.empty()) throw InputError("FIT is required; 'weaveform fit --help' tells more");
   const std::filesystem::path file = arguments.file;
   const std::filesystem::path directory = arguments.output.empty() ? std::filesystem::path("results") / file.stem()
@@ -82,7 +87,7 @@ void fit(const FitArguments& arguments) {
       write_text_whole(directory / output.name, output.text);
   }
   if (arguments.quiet) return;
-  print_answer(identify::summary_markdown(found));
+  print_answer(arguments.json ? json_text(identify::fit_json(found)) : identify::summary_markdown(found));
   log_line(fmt::format("card: {}, report: {}", (directory / "card.toml").string(), (directory / "report.md").string()));
 }
 
@@ -97,6 +102,7 @@ void add_fit_command(CLI::App& program) {
   command->add_flag("--keys", arguments->keys, "Print every key of a fit file (Markdown)");
   add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] { fit(*arguments); });
 }
 

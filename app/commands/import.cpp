@@ -5,13 +5,16 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
 #include "app/stages/claims.hpp"
+#include "app/stages/mesh_json.hpp"
 #include "app/stages/stages.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {
@@ -23,7 +26,7 @@ namespace fs = std::filesystem;
 struct ImportArguments {
   std::string file, scene, part, output;
   std::vector<std::string> overrides;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 // Tools whose shells stand in the mesh file become STL files beside the mesh.
@@ -62,10 +65,12 @@ void run_import(const ImportArguments& arguments) {
   model.scene = with_absolute_paths(model.scene);
   keep_tools(file, directory, model.scene);
   const std::string size = describe(model);
+  nlohmann::ordered_json json = mesh_json(model);
+  json["notes"] = imported.notes;
   (void)write_model(std::move(model), directory, console_listener(arguments.quiet), imported.scene_name);
   if (arguments.quiet) return;
   for (const auto& note : imported.notes) log_line("import: " + note);
-  print_answer(size);
+  print_answer(arguments.json ? json_text(json) : size);
 }
 
 }  // namespace
@@ -88,6 +93,7 @@ void add_import_command(CLI::App& program) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_quiet_argument(*command, arguments->quiet);
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] { run_import(*arguments); });
 }
 

@@ -3,14 +3,17 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
 #include "app/stages/checked_model.hpp"
 #include "app/stages/claims.hpp"
+#include "app/stages/mesh_json.hpp"
 #include "app/stages/plan.hpp"
 #include "app/stages/stages.hpp"
+#include "core/json/json_text.hpp"
 
 namespace weaveform {
 
@@ -20,14 +23,14 @@ struct MeshArguments {
   SceneArguments scene;
   std::string output;
   bool quiet = false, verbose = false;
-  bool plan = false;
+  bool plan = false, json = false;
   int threads = 0;
 };
 
 void make_mesh(const MeshArguments& arguments) {
   if (arguments.plan) {
-    print_answer(plan_table(make_plan(arguments.scene.scene, arguments.scene.overrides, arguments.threads)));
-    return;
+    const auto plan = make_plan(arguments.scene.scene, arguments.scene.overrides, arguments.threads);
+    return print_answer(arguments.json ? json_text(plan_json(plan)) : plan_table(plan));
   }
   const Resolved model =
       checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_first_complaint);
@@ -39,7 +42,7 @@ void make_mesh(const MeshArguments& arguments) {
   log_warnings(early_warnings(model));
   (void)write_model(model, directory, console_listener(arguments.quiet));
   if (arguments.quiet) return;
-  print_answer(describe(model));
+  print_answer(arguments.json ? json_text(mesh_json(model)) : describe(model));
   log_end(directory, fmt::format("mesh.vtu for ParaView; next: weaveform solve {}", directory.string()));
 }
 
@@ -52,6 +55,7 @@ void add_mesh_command(CLI::App& program) {
   add_output_argument(*command, arguments->output);
   add_quiet_argument(*command, arguments->quiet);
   add_verbose_argument(*command, arguments->verbose);
+  add_json_argument(*command, arguments->json);
   command->add_flag("--plan", arguments->plan,
                     "Only say what each coarsening would take: cells, yarn, step, steps, time and memory");
   command->add_option("--threads", arguments->threads, "Threads of the plan's trials; 0 chooses");

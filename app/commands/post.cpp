@@ -3,11 +3,13 @@
 #include "post/post.hpp"
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
 #include "app/stages/claims.hpp"
+#include "core/json/json_text.hpp"
 
 namespace weaveform {
 
@@ -15,7 +17,7 @@ namespace {
 
 struct PostArguments {
   std::string directory;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 }  // namespace
@@ -26,6 +28,7 @@ void add_post_command(CLI::App& program) {
   add_trust_argument(*command);
   command->add_option("DIR", arguments->directory, "Result folder");
   add_quiet_argument(*command, arguments->quiet);
+  add_json_argument(*command, arguments->json);
   add_dic_commands(*command);
   add_report_command(*command);
   command->callback([arguments, command] {
@@ -34,10 +37,11 @@ void add_post_command(CLI::App& program) {
     ResultFolder result(arguments->directory);
     const OutputFolder folder(post_claim(arguments->directory, result.scene()));
     log_warning(folder.trouble());
-    const PostAnswers answers = post_process(result);
+    const Evaluation evaluation = evaluate(result);
+    const PostAnswers answers = post_process(result, evaluation);
     log_warnings(answers.warnings);
     if (arguments->quiet) return;
-    print_answer(answers.table);
+    print_answer(arguments->json ? json_text(summary_json(evaluation.summary)) : answers.table);
     log_end(arguments->directory, "contours.vtp for ParaView, the verdict in summary.json");
   });
 }

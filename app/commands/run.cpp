@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/commands/commands.hpp"
@@ -15,6 +16,7 @@
 #include "app/study/accuracy.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/report/result_report.hpp"
 
@@ -29,7 +31,7 @@ struct RunArguments {
   std::string accuracy;  // "2%"; "": the scene's own mesh
   std::vector<std::string> measures;
   double finest = 1.0;
-  bool report = false, verbose = false;
+  bool report = false, verbose = false, json = false;
 };
 
 constexpr const char* what_to_open =
@@ -42,6 +44,12 @@ std::filesystem::path folder_of(const RunArguments& arguments) {
 
 std::string report_line(const std::filesystem::path& directory) {
   return fmt::format("{}: open it in a browser", (directory / file_name::report).string());
+}
+
+std::string json_with_accuracy(const Summary& summary, const study::Accuracy& found) {
+  nlohmann::ordered_json json = summary_json(summary);
+  json["accuracy"] = found.json;
+  return json_text(json);
 }
 
 void run_to_accuracy(const RunArguments& arguments) {
@@ -70,8 +78,7 @@ void run_to_accuracy(const RunArguments& arguments) {
   log_warnings(answers.warnings);
   if (arguments.report) write_report_page(result, evaluation, directory / file_name::report);
   if (!arguments.solve.quiet) {
-    print_answer(answers.table);
-    print_answer("\n" + found.table);
+    print_answer(arguments.json ? json_with_accuracy(evaluation.summary, found) : answers.table + "\n" + found.table);
     if (arguments.report) log_line(report_line(directory));
   }
   if (!found.met)
@@ -111,7 +118,7 @@ void run(const RunArguments& arguments) {
   log_warnings(not_said(answers.warnings, said));
   if (arguments.report) write_report_page(result, evaluation, directory / file_name::report);
   if (arguments.solve.quiet) return;
-  print_answer(answers.table);
+  print_answer(arguments.json ? json_text(summary_json(evaluation.summary)) : answers.table);
   log_end(directory, what_to_open);
   if (arguments.report) log_line(report_line(directory));
 }
@@ -125,6 +132,7 @@ void add_run_command(CLI::App& program) {
   add_output_argument(*command, arguments->output);
   add_solve_arguments(*command, arguments->solve);
   add_verbose_argument(*command, arguments->verbose);
+  add_json_argument(*command, arguments->json);
   command->add_flag("--report", arguments->report, "Write DIR/report.html too, a page that opens in any browser");
   auto* accuracy =
       command

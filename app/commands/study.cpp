@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/commands/commands.hpp"
@@ -15,6 +16,8 @@
 #include "app/study/runner.hpp"
 #include "app/study/snakemake.hpp"
 #include "core/error.hpp"
+#include "core/json/json_text.hpp"
+#include "core/json/keys_json.hpp"
 
 namespace weaveform {
 
@@ -26,6 +29,7 @@ struct StudyArguments {
   std::string format;  // of --export
   int jobs = 0;
   bool collect = false, retry = false, report = false, keys = false, force = false, quiet = false;
+  bool json = false;
 };
 
 int jobs_of(const StudyArguments& arguments, const study::Study& plan) {
@@ -64,7 +68,8 @@ void claim_folder(const study::Study& plan, const std::filesystem::path& directo
 }
 
 void study_command(const StudyArguments& arguments) {
-  if (arguments.keys) return print_answer(study::study_reference_markdown());
+  if (arguments.keys)
+    return print_answer(arguments.json ? json_text(keys_json(study::study_keys())) : study::study_reference_markdown());
   if (arguments.file.empty()) throw InputError("STUDY is required; 'weaveform study --help' tells more");
   const study::Study plan = study::read_study(arguments.file);
   const std::vector<study::Case> cases = plan.border ? study::border_ends(plan) : study::expand(plan);
@@ -74,16 +79,18 @@ void study_command(const StudyArguments& arguments) {
     claim_folder(plan, directory, arguments.force);  // a border is no workflow
   if (!arguments.format.empty()) {
     study::export_snakemake(plan, cases, directory);
+    const std::string workflow = (directory / "Snakefile").string();
+    if (arguments.json) print_answer(json_text({{"cases", cases.size()}, {"snakefile", workflow}}));
     if (!arguments.quiet)
       log_line(fmt::format("{} cases; run them: snakemake --directory {} --snakefile {} --cores N", cases.size(),
-                           directory.string(), (directory / "Snakefile").string()));
+                           directory.string(), workflow));
     return;
   }
   if (!arguments.collect) run_all(arguments, plan, cases, directory);
   const study::Report report = plan.border ? study::write_border_report(plan, directory, arguments.report)
                                            : study::write_report(plan, cases, directory, arguments.report);
   if (!arguments.quiet) {
-    print_answer(report.answer);
+    print_answer(arguments.json ? json_text(report.json) : report.answer);
     for (const std::string& line : report.complaints) log_line("warning: " + line);
     log_line(fmt::format("{} done, {} failed, {} not run; table: {}, report: {}", report.done, report.failed,
                          report.missing, (directory / study::report_name::table).string(),
@@ -116,6 +123,7 @@ void add_study_command(CLI::App& program) {
   command->add_flag("--keys", arguments->keys, "Print every key of a study file (Markdown)");
   add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] { study_command(*arguments); });
 }
 

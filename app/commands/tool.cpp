@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/commands/commands.hpp"
@@ -14,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/files/text_words.hpp"
+#include "core/json/json_text.hpp"
 #include "core/keys/length_unit.hpp"
 #include "mesher/tools/cad.hpp"
 #include "mesher/tools/surface_file.hpp"
@@ -26,7 +28,7 @@ namespace {
 struct ToolArguments {
   std::string file;
   std::string output;
-  bool force = false;
+  bool force = false, json = false;
   double chord_tolerance = SurfaceRequest{}.chord_tolerance;
   std::string unit;
 };
@@ -63,13 +65,42 @@ std::string describe_surface(const ToolArguments& arguments, const TriangleRepor
   return text + describe_faults(report);
 }
 
+nlohmann::ordered_json places_of(const std::vector<SurfaceFault>& faults) {
+  auto list = nlohmann::ordered_json::array();
+  for (const SurfaceFault& fault : faults) list.push_back({{"at_mm", fault.at}, {"size_mm", fault.size}});
+  return list;
+}
+
+nlohmann::ordered_json surface_json(const ToolArguments& arguments, const TriangleReport& report,
+                                    const FileSurface& surface) {
+  using Json = nlohmann::ordered_json;
+  return {{"file", arguments.file},
+          {"triangles", report.triangles},
+          {"pieces", report.pieces},
+          {"low_mm", report.low},
+          {"high_mm", report.high},
+          {"area_mm2", report.area},
+          {"closed", report.closed},
+          {"volume_mm3", report.closed ? Json(report.volume) : Json(nullptr)},
+          {"chord_error_mm", is_cad_file(arguments.file) ? Json(surface.chord_error) : Json(nullptr)},
+          {"borders", places_of(report.rims)},
+          {"faults",
+           {{"gaps", places_of(report.gaps)},
+            {"turned", places_of(report.turned)},
+            {"degenerate", places_of(report.degenerate)},
+            {"intersections", places_of(report.intersections)}}},
+          {"warnings", surface.words}};
+}
+
 void look_at_tool(const ToolArguments& arguments) {
   const std::filesystem::path file = arguments.file, output = arguments.output;
   FileSurface surface =
       read_surface(file, {millimetres_in(choice_named<LengthUnit>(arguments.unit)), arguments.chord_tolerance, ""});
   const bool keeps_its_sense = surface_kind(file) == SurfaceKind::stl;
   if (!keeps_its_sense) surface.list = turned_alike(surface.list, {0.0, 0.0, 1e6});  // open ones look up
-  print_answer(describe_surface(arguments, inspect(surface.list), surface));
+  const TriangleReport report = inspect(surface.list);
+  print_answer(arguments.json ? json_text(surface_json(arguments, report, surface))
+                              : describe_surface(arguments, report, surface));
   if (output.empty()) return;
   require_writable(output, {file}, arguments.force);
   const std::string ending = lower(output.extension().string());
@@ -96,6 +127,7 @@ void add_tool_command(CLI::App& program) {
       ->check(CLI::IsMember(choice_names<LengthUnit>()));
   command->add_option("-o,--output", arguments->output, "Write it as .stl, or CAD as .step or .brep");
   add_force_argument(*command, arguments->force);
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] { look_at_tool(*arguments); });
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "app/console.hpp"
 #include "app/stages/output_folder.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
 #include "core/version/version.hpp"
 #include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
@@ -26,7 +28,7 @@ struct UnitCellArguments {
   double to = 70.0;       // deg
   int increments = 1400;  // a twentieth of a degree each
   std::string output;
-  bool force = false, quiet = false;
+  bool force = false, quiet = false, json = false;
 };
 
 std::vector<std::filesystem::path> card_files(const std::string& material) {
@@ -54,7 +56,7 @@ void unit_cell(const UnitCellArguments& arguments) {
   write_chart(directory / "unit_cell.svg", unit_cell_chart(study));
   write_chart(directory / "unit_cell_error.svg", unit_cell_error_chart(study));
   if (arguments.quiet) return;
-  print_answer(unit_cell_table(study));
+  print_answer(arguments.json ? json_text(unit_cell_json(study)) : unit_cell_table(study));
   log_line(fmt::format("table, report, charts: {}/unit_cell.csv, .md, .svg, unit_cell_error.svg", directory.string()));
 }
 
@@ -76,6 +78,7 @@ void add_unit_cell_command(CLI::App& program) {
       ->type_name("DIR");
   add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
+  add_json_argument(*command, arguments->json);
   command->callback([arguments] { unit_cell(*arguments); });
 }
 

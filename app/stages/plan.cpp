@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "app/stages/checked_model.hpp"
 #include "core/error.hpp"
@@ -100,6 +101,25 @@ std::string plan_table(const std::vector<PlanRow>& rows) {
                         row.seconds, row.megabytes);
   }
   return text;
+}
+
+nlohmann::ordered_json plan_json(const std::vector<PlanRow>& rows) {
+  auto list = nlohmann::ordered_json::array();
+  for (const PlanRow& row : rows) {
+    if (!row.refused.empty())
+      list.push_back({{"coarsening_factor", row.factor}, {"no_mesh", row.refused}});
+    else
+      list.push_back({{"coarsening_factor", row.factor},
+                      {"cells", row.cells},
+                      {"cells_solved", row.solved},
+                      {"warp_length_mm", row.warp_length},
+                      {"weft_length_mm", row.weft_length},
+                      {"flat_step_s", row.step},
+                      {"steps", row.steps},
+                      {"wall_s", row.seconds},
+                      {"memory_MB", row.megabytes}});
+  }
+  return list;
 }
 
 }  // namespace weaveform

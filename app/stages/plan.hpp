@@ -1,6 +1,7 @@
 // What an analysis will take before it is run: the table of `weaveform mesh --plan`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,8 @@ struct PlanRow {
 [[nodiscard]] std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<std::string>& overrides,
                                              int threads);
 [[nodiscard]] std::string plan_table(const std::vector<PlanRow>& rows);
+// A list of the same rows: "coarsening_factor" and "no_mesh" (why), or "cells", "cells_solved", "warp_length_mm",
+// "weft_length_mm", "flat_step_s", "steps", "wall_s", "memory_MB".
+[[nodiscard]] nlohmann::ordered_json plan_json(const std::vector<PlanRow>& rows);
 
 }  // namespace weaveform

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/convergence/convergence.hpp"
+#include "post/report/words.hpp"
 
 namespace weaveform::study {
 
@@ -105,7 +106,7 @@ int coarsest_of_all(const std::vector<Refinement>& all, double tolerance) {
 std::string table_of(const std::vector<std::string>& measures, const std::vector<SolvedLevel>& levels,
                      const std::vector<Refinement>& all) {
   std::string text = "| coarsening | spacing | solve |";
-  for (const std::string& name : measures) text += fmt::format(" {} | error at most |", name);
+  for (const std::string& name : measures) text += fmt::format(" {} | error at most |", measure_in_words(name));
   text += "\n|---:|---:|---:|";
   for (std::size_t m = 0; m < measures.size(); ++m) text += "---:|---:|";
   for (std::size_t l = 0; l < levels.size(); ++l) {
@@ -117,8 +118,35 @@ std::string table_of(const std::vector<std::string>& measures, const std::vector
     }
   }
   text += "\n";
-  for (std::size_t m = 0; m < all.size(); ++m) text += fmt::format("{}: {}\n", measures[m], verdict(all[m]));
+  for (std::size_t m = 0; m < all.size(); ++m)
+    text += fmt::format("{}: {}\n", measure_in_words(measures[m]), verdict(all[m]));
   return text;
+}
+
+nlohmann::ordered_json json_of(const std::vector<std::string>& measures, const std::vector<SolvedLevel>& levels,
+                               const std::vector<Refinement>& all) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"levels", Json::array()}, {"verdicts", Json::object()}};
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    Json values = Json::object();
+    for (std::size_t m = 0; m < measures.size(); ++m)
+      values[measures[m]] = {
+          {"value", levels[l].value[m]},
+          {"error_bound", all.empty() ? Json(nullptr) : Json(all[m].error_bound[levels.size() - 1 - l])}};
+    json["levels"].push_back({{"coarsening_factor", levels[l].factor},
+                              {"mesh_size_mm", levels[l].size},
+                              {"wall_s", levels[l].wall},
+                              {"measures", values}});
+  }
+  for (std::size_t m = 0; m < all.size(); ++m) json["verdicts"][measures[m]] = verdict(all[m]);
+  return json;
+}
+
+Accuracy accuracy_of(bool met, const SolvedLevel& taken, const std::vector<std::string>& measures,
+                     const std::vector<SolvedLevel>& levels, const std::vector<Refinement>& all) {
+  nlohmann::ordered_json json = {{"met", met}, {"coarsening_factor", taken.factor}};
+  json.update(json_of(measures, levels, all));
+  return {met, taken.factor, taken.results, table_of(measures, levels, all), std::move(json)};
 }
 
 }  // namespace
@@ -160,12 +188,12 @@ Accuracy find_accuracy(const fs::path& scene_file, const std::vector<std::string
     const int index = coarsest_of_all(all, options.tolerance);
     if (index < 0) continue;
     const SolvedLevel& taken = levels[levels.size() - 1 - static_cast<std::size_t>(index)];
-    return {true, taken.factor, taken.results, table_of(measures, levels, all)};
+    return accuracy_of(true, taken, measures, levels, all);
   }
   if (levels.empty() || last.exit_code != 0)
     throw PhysicsError(
         fmt::format("the finest level failed, and without it nothing is known of the error: {}", last.error));
-  return {false, levels.back().factor, levels.back().results, table_of(measures, levels, all)};
+  return accuracy_of(false, levels.back(), measures, levels, all);
 }
 
 }  // namespace weaveform::study

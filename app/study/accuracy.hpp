@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct Accuracy {
   double factor = 0.0;            // on the scene's coarsening, of the level taken; of the finest one when not met
   std::filesystem::path results;  // its result folder
   std::string table;              // levels, bounds, and how sure they are (Markdown)
+  nlohmann::ordered_json json;    // the same: "met", "coarsening_factor", "levels" coarsest first, "verdicts"
 };
 
 // Solves factors 8, 4, 2, 1, ... >= finest on the scene's coarsening, into DIR/accuracy, coarsest first, until the

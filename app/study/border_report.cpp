@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/study/table.hpp"
+#include "core/json/toml_json.hpp"
 
 namespace weaveform::study {
 
@@ -130,6 +132,24 @@ std::string border_markdown(const Study& study, const std::vector<BorderGroup>& 
       text += fmt::format(" | | {} | |\n", complaint_of(group));
   }
   return text;
+}
+
+nlohmann::ordered_json border_json(const Study& study, const std::vector<BorderGroup>& groups) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"key", study.border->key}, {"groups", Json::array()}};
+  for (const BorderGroup& group : groups) {
+    Json settings = Json::object();
+    for (const Setting& setting : group.variant.settings) settings[setting.key] = toml_value_json(setting.value);
+    const bool found = border_is_found(group);
+    json["groups"].push_back({{"settings", settings},
+                              {"holds", found ? Json(group.search.holds) : Json(nullptr)},
+                              {"fails", found ? Json(group.search.fails) : Json(nullptr)},
+                              {"failure", group.failing.reason},
+                              {"caught", found ? Json(group.failing.caught) : Json(nullptr)},
+                              {"cases", group.tried.size() - group.search.wanted.size()},
+                              {"complaint", complaint_of(group)}});
+  }
+  return json;
 }
 
 std::optional<Chart> border_chart(const Study& study, const std::vector<BorderGroup>& groups) {

@@ -1,6 +1,7 @@
 // The borders of a study for people and scripts: border.md, border.csv, border.svg.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ namespace weaveform::study {
 // no), `cases` run, `complaint` (why there is no border).
 [[nodiscard]] std::string border_csv(const Study& study, const std::vector<BorderGroup>& groups);
 [[nodiscard]] std::string border_markdown(const Study& study, const std::vector<BorderGroup>& groups);
+
+// "key" and "groups", with the fields of border.csv; null where there is no border.
+[[nodiscard]] nlohmann::ordered_json border_json(const Study& study, const std::vector<BorderGroup>& groups);
 
 // The border over the one varied key that is numeric, from `holds` to `fails`, a series for each combination of the
 // others; none when not exactly one key is numeric, or no border is found. Axes over more than a decade are

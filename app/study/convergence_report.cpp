@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
+
+#include "core/json/toml_json.hpp"
+#include "post/report/words.hpp"
 
 namespace weaveform::study {
 
@@ -58,7 +62,33 @@ const std::string& value_of(const ConvergenceSpec& spec, const Row& row) {
 }
 
 std::string heading(const ConvergenceOf& one) {
-  return fmt::format("{}{}{}", one.measure, one.group.empty() ? "" : ", ", one.group);
+  return fmt::format("{}{}{}", measure_in_words(one.measure), one.group.empty() ? "" : ", ", one.group);
+}
+
+nlohmann::ordered_json group_json(const ConvergenceSpec& spec, const ConvergenceOf& one, const Table& table) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"measure", one.measure}, {"group", one.group}, {"levels", Json::array()}};
+  for (std::size_t i = 0; i < one.level.size(); ++i) {
+    const Row& row = table.row[one.level[i].row];
+    const Refinement* found = one.refinement ? &*one.refinement : nullptr;
+    json["levels"].push_back({{"case", row.one.name},
+                              {"value", toml_value_json(value_of(spec, row))},
+                              {"size", one.level[i].size},
+                              {"result", row.value[column_of(table, one.measure)]},
+                              {"error_bound", found != nullptr ? Json(found->error_bound[i]) : Json(nullptr)},
+                              {"wall_s", row.wall}});
+  }
+  for (const char* name : {"trend", "order", "limit", "limit_uncertainty", "agreed", "cheapest_case"})
+    json[name] = nullptr;
+  if (!one.refinement) return json;
+  json["trend"] = trend_words(one.refinement->finest.trend);
+  json["order"] = one.refinement->finest.order;
+  json["limit"] = one.refinement->limit;
+  json["limit_uncertainty"] = one.refinement->uncertainty;
+  json["agreed"] = one.refinement->agreed;
+  if (const int cheapest = coarsest_within(*one.refinement, spec.tolerance); cheapest >= 0)
+    json["cheapest_case"] = table.row[one.level[static_cast<std::size_t>(cheapest)].row].one.name;
+  return json;
 }
 
 }  // namespace
@@ -116,6 +146,14 @@ std::string convergence_markdown(const ConvergenceSpec& spec, const std::vector<
                                        value_of(spec, table.row[one.level[static_cast<std::size_t>(cheapest)].row]));
   }
   return text;
+}
+
+nlohmann::ordered_json convergence_json(const ConvergenceSpec& spec, const std::vector<ConvergenceOf>& all,
+                                        const Table& table) {
+  nlohmann::ordered_json json = {
+      {"key", spec.key}, {"tolerance", spec.tolerance}, {"measures", nlohmann::ordered_json::array()}};
+  for (const ConvergenceOf& one : all) json["measures"].push_back(group_json(spec, one, table));
+  return json;
 }
 
 std::string convergence_csv(const ConvergenceSpec& spec, const std::vector<ConvergenceOf>& all, const Table& table) {

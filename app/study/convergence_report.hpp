@@ -1,6 +1,7 @@
 // What [convergence] of a study asks for: each measure over the refined key, apart for every combination of the others.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,12 @@ struct ConvergenceOf {
                                                const Table& table);
 [[nodiscard]] std::string convergence_csv(const ConvergenceSpec& spec, const std::vector<ConvergenceOf>& all,
                                           const Table& table);
+
+// For scripts that read one answer: "key" and "measures", each with its group, levels (finest first), "trend", "order",
+// "limit", "limit_uncertainty", "agreed" and the "cheapest_case" within the "tolerance"; null where there are too few
+// levels.
+[[nodiscard]] nlohmann::ordered_json convergence_json(const ConvergenceSpec& spec,
+                                                      const std::vector<ConvergenceOf>& all, const Table& table);
 
 // "order 1.98; limit 9.01 within 0.02; ..." of one refinement, with how far it can be trusted.
 [[nodiscard]] std::string verdict(const Refinement& refinement);

@@ -41,6 +41,14 @@ void count(const Table& table, Report& report) {
   }
 }
 
+void begin_json(const Study& study, const Table& table, std::size_t measure_columns, Report& report) {
+  report.json = {{"study", study.file.string()},
+                 {"done", report.done},
+                 {"failed", report.failed},
+                 {"missing", report.missing},
+                 {"cases", table_json(table, measure_columns)}};
+}
+
 // A result folder's own scene begins with the program that wrote it.
 void check_versions(const Table& table, const fs::path& study_folder, Report& report) {
   std::set<std::string> versions;
@@ -121,6 +129,7 @@ void write_convergence(const Study& study, const std::vector<ConvergenceOf>& con
   write_text_whole(study_folder / report_name::convergence_table,
                    convergence_csv(*study.convergence, convergence, table));
   report.answer += "\n" + text;
+  report.json["convergence"] = convergence_json(*study.convergence, convergence, table);
   page.answers.emplace_back("Convergence", text);
 }
 
@@ -135,6 +144,7 @@ void write_work_precision(const Study& study, const Measures& measures, const st
     write_chart(study_folder / chart_name(one.measure), page.charts.back());
   }
   report.answer += "\n" + text;
+  report.json["work_precision"] = work_precision_json(*study.work_precision, charts, table);
   page.answers.emplace_back("Work and precision", text);
 }
 
@@ -154,6 +164,8 @@ Report write_border_report(const Study& study, const fs::path& study_folder, boo
   write_text_whole(study_folder / report_name::table, to_csv(table, measures.columns));
   write_text_whole(study_folder / report_name::border_table, border_csv(study, groups));
   report.answer = border_markdown(study, groups);
+  begin_json(study, table, measures.columns, report);
+  report.json["border"] = border_json(study, groups);
   write_text_whole(study_folder / report_name::border, report.answer);
   page.answers.emplace_back("Border", report.answer);
   if (const auto chart = border_chart(study, groups)) {
@@ -167,6 +179,7 @@ Report write_border_report(const Study& study, const fs::path& study_folder, boo
   if (of_cases) write_case_reports(table, study_folder);
   page.complaints = report.complaints;
   write_study_page(study, table, measures.columns, page, study_folder);
+  report.json["complaints"] = report.complaints;
   return report;
 }
 
@@ -179,6 +192,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
   check_versions(table, study_folder, report);
   remove_files(study_folder, report_files());
   report.answer = to_markdown(table, measures.columns);
+  begin_json(study, table, measures.columns, report);
   std::vector<ConvergenceOf> convergence;
   if (study.convergence) {
     convergence = convergence_of(*study.convergence, measures.converging, table);
@@ -191,6 +205,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
   if (of_cases) write_case_reports(table, study_folder);
   page.complaints = report.complaints;
   write_study_page(study, table, measures.columns, page, study_folder);
+  report.json["complaints"] = report.complaints;
   return report;
 }
 

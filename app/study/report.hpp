@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,8 @@ void check_measures(const Study& study, const Measures& measures, const Case& do
                     const std::filesystem::path& study_folder);
 
 struct Report {
-  std::string answer;  // to print
+  std::string answer;           // to print
+  nlohmann::ordered_json json;  // the same numbers, and the counts below (docs/results.md)
   int done = 0, failed = 0, missing = 0;
   int borders = 0;                      // found, of [border]
   std::vector<std::string> complaints;  // what could not be said

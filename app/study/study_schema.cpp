@@ -102,6 +102,15 @@ const std::vector<Key<BorderCondition>>& condition_keys() {
   return keys;
 }
 
+std::vector<KeyInfo> study_keys() {
+  std::vector<KeyInfo> all;
+  for (const auto& keys : {describe_keys("", head_keys()), describe_keys("convergence", convergence_keys()),
+                           describe_keys("work_precision", work_precision_keys()),
+                           describe_keys("border", border_keys()), describe_keys("border.while", condition_keys())})
+    all.insert(all.end(), keys.begin(), keys.end());
+  return all;
+}
+
 std::string study_reference_markdown() {
   const auto section = [](const char* title, const char* doc, const std::vector<KeyInfo>& keys) {
     return std::string("\n### ") + title + "\n\n" + doc + "\n\n" + markdown_table(keys);

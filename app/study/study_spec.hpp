@@ -10,6 +10,7 @@
 
 #include "app/study/border_spec.hpp"
 #include "app/study/choices.hpp"
+#include "core/keys/key_info.hpp"
 #include "core/keys/toml_document.hpp"
 
 namespace weaveform::study {
@@ -99,5 +100,7 @@ struct Study {
 
 // Every key of a study file (docs/study.md).
 [[nodiscard]] std::string study_reference_markdown();
+// The keys of its own tables among them.
+[[nodiscard]] std::vector<KeyInfo> study_keys();
 
 }  // namespace weaveform::study

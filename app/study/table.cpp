@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/study/measure.hpp"
 #include "core/error.hpp"
+#include "core/json/toml_json.hpp"
+#include "post/report/words.hpp"
 
 namespace weaveform::study {
 
@@ -110,7 +113,7 @@ std::string to_csv(const Table& table, std::size_t measure_columns) {
 std::string to_markdown(const Table& table, std::size_t measure_columns) {
   std::string text = "|";
   for (const std::string& key : table.keys) text += fmt::format(" {} |", key);
-  for (std::size_t m = 0; m < measure_columns; ++m) text += fmt::format(" {} |", table.measures[m]);
+  for (std::size_t m = 0; m < measure_columns; ++m) text += fmt::format(" {} |", measure_in_words(table.measures[m]));
   text += " solve |\n|";
   for (std::size_t c = 0; c < table.keys.size() + measure_columns + 1; ++c) text += "---:|";
   for (const Row& row : table.row) {
@@ -121,6 +124,25 @@ std::string to_markdown(const Table& table, std::size_t measure_columns) {
     text += done ? fmt::format(" {:.3g} s |", row.wall) : row.outcome ? " failed |" : " not run |";
   }
   return text + "\n";
+}
+
+nlohmann::ordered_json table_json(const Table& table, std::size_t measure_columns) {
+  using Json = nlohmann::ordered_json;
+  Json cases = Json::array();
+  for (const Row& row : table.row) {
+    Json one = {{"case", row.one.name}};
+    if (!row.one.series.empty()) one["series"] = row.one.series;
+    one["settings"] = Json::object();
+    for (const Setting& setting : row.one.settings) one["settings"][setting.key] = toml_value_json(setting.value);
+    one["exit_code"] = row.outcome ? Json(row.outcome->exit_code) : Json(nullptr);
+    one["error"] = row.outcome ? row.outcome->error : "not run";
+    one["mesh_size_mm"] = row.size;
+    one["wall_s"] = row.wall;
+    one["measures"] = Json::object();
+    for (std::size_t m = 0; m < measure_columns; ++m) one["measures"][table.measures[m]] = row.value[m];
+    cases.push_back(std::move(one));
+  }
+  return cases;
 }
 
 }  // namespace weaveform::study

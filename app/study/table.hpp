@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,10 @@ struct Table {
 
 // The table for people: settings, measures, time of the solve or that it failed.
 [[nodiscard]] std::string to_markdown(const Table& table, std::size_t measure_columns);
+
+// A list of cases: "case" (its name), "series" (where there are any), "settings" by key, "exit_code" (null: not run),
+// "error", "mesh_size_mm", "wall_s", "measures" by name; null where there is no number.
+[[nodiscard]] nlohmann::ordered_json table_json(const Table& table, std::size_t measure_columns);
 
 // A value as people write it: text without its quotes. Of a key that the case leaves out: "".
 [[nodiscard]] std::string plain_value(const std::string& toml);

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "post/report/words.hpp"
 
 namespace weaveform::study {
 
@@ -69,20 +72,31 @@ std::string tolerance_words(const WorkPrecisionSpec& spec, std::span<const WorkP
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// The cheapest case within each tolerance, for all of the measures at once; of all cases and of each series.
-std::string choice_table(const WorkPrecisionSpec& spec, std::span<const WorkPrecision> measures, const Table& table) {
-  std::size_t columns = spec.within.size();
-  for (const WorkPrecision& one : measures) columns = std::min(columns, tolerances(spec, one).size());
+// Tolerances that all of the measures have.
+std::size_t tolerance_count(const WorkPrecisionSpec& spec, std::span<const WorkPrecision> measures) {
+  std::size_t count = spec.within.size();
+  for (const WorkPrecision& one : measures) count = std::min(count, tolerances(spec, one).size());
+  return count;
+}
+
+// "" for all cases, then the series.
+std::vector<std::string> all_and_series(std::span<const WorkPrecision> measures, const Table& table) {
   std::vector<std::string> series = series_of(measures.front(), table);
   std::erase(series, "");
   series.insert(series.begin(), "");
+  return series;
+}
+
+// The cheapest case within each tolerance, for all of the measures at once; of all cases and of each series.
+std::string choice_table(const WorkPrecisionSpec& spec, std::span<const WorkPrecision> measures, const Table& table) {
+  const std::size_t columns = tolerance_count(spec, measures);
   std::string text = "| cheapest within |", rule = "|---|";
   for (std::size_t k = 0; k < columns; ++k) {
     text += fmt::format(" {} |", tolerance_words(spec, measures, k));
     rule += "---|";
   }
   text += "\n" + rule + "\n";
-  for (const std::string& name : series) {
+  for (const std::string& name : all_and_series(measures, table)) {
     text += fmt::format("| {} |", name.empty() ? "all" : name);
     for (std::size_t k = 0; k < columns; ++k) {
       const WorkPoint* point = cheapest_within(measures, table, name, tolerance_of_each(spec, measures, k));
@@ -93,6 +107,40 @@ std::string choice_table(const WorkPrecisionSpec& spec, std::span<const WorkPrec
     text += "\n";
   }
   return text;
+}
+
+// The same as a list.
+nlohmann::ordered_json choice_json(const WorkPrecisionSpec& spec, std::span<const WorkPrecision> measures,
+                                   const Table& table) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const std::string& name : all_and_series(measures, table))
+    for (std::size_t k = 0; k < tolerance_count(spec, measures); ++k) {
+      const std::vector<double> tolerance = tolerance_of_each(spec, measures, k);
+      const WorkPoint* point = cheapest_within(measures, table, name, tolerance);
+      list.push_back({{"series", name},
+                      {"tolerance", tolerance},
+                      {"case", point != nullptr ? Json(table.row[point->row].one.name) : Json(nullptr)},
+                      {"wall_s", point != nullptr ? Json(point->time) : Json(nullptr)}});
+    }
+  return list;
+}
+
+nlohmann::ordered_json points_json(const WorkPrecision& one, const Table& table) {
+  auto list = nlohmann::ordered_json::array();
+  for (const WorkPoint& point : one.point) {
+    const Row& row = table.row[point.row];
+    list.push_back({{"case", row.one.name},
+                    {"series", row.one.series},
+                    {"wall_s", point.time},
+                    {"result", row.value[column_of(table, one.measure)]},
+                    {"reference", point.reference},
+                    {"error", point.error},
+                    {"reference_uncertainty", point.floor},
+                    {"within_uncertainty", point.within_uncertainty()},
+                    {"pareto_front", point.on_front}});
+  }
+  return list;
 }
 
 }  // namespace
@@ -107,7 +155,7 @@ std::string chart_name(const std::string& measure) {
 
 Chart work_precision_chart(const WorkPrecision& one, const Table& table) {
   Chart chart;
-  chart.title = one.measure;
+  chart.title = measure_in_words(one.measure);
   chart.x = {.title = "time of the solve (s)", .scale = AxisScale::logarithmic};
   chart.y = {.title = fmt::format("error ({})", one.unit), .scale = AxisScale::logarithmic};
   const std::vector<WorkPoint> sorted = in_order_of_time(one);
@@ -142,9 +190,23 @@ std::string work_precision_markdown(const WorkPrecisionSpec& spec, const std::ve
                                     const Table& table) {
   std::string text = "Time against error\n";
   for (const WorkPrecision& one : all)
-    text += fmt::format("\n{}\n\n{}\n{}", one.measure, front_table(one, table), choice_table(spec, {&one, 1}, table));
+    text += fmt::format("\n{}\n\n{}\n{}", measure_in_words(one.measure), front_table(one, table),
+                        choice_table(spec, {&one, 1}, table));
   if (all.size() > 1) text += "\nAll of these measures at once\n\n" + choice_table(spec, all, table);
   return text;
+}
+
+nlohmann::ordered_json work_precision_json(const WorkPrecisionSpec& spec, const std::vector<WorkPrecision>& all,
+                                           const Table& table) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"measures", Json::array()}, {"all_measures", Json::array()}};
+  for (const WorkPrecision& one : all)
+    json["measures"].push_back({{"measure", one.measure},
+                                {"error_unit", one.in_percent() ? "1" : one.unit},
+                                {"points", points_json(one, table)},
+                                {"cheapest_within", choice_json(spec, {&one, 1}, table)}});
+  if (!all.empty()) json["all_measures"] = choice_json(spec, all, table);
+  return json;
 }
 
 std::string work_precision_csv(const std::vector<WorkPrecision>& all, const Table& table) {

@@ -1,6 +1,7 @@
 // Time against error for people and scripts: work_precision_MEASURE.svg, work_precision.md, work_precision.csv.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ namespace weaveform::study {
 [[nodiscard]] std::string work_precision_markdown(const WorkPrecisionSpec& spec, const std::vector<WorkPrecision>& all,
                                                   const Table& table);
 [[nodiscard]] std::string work_precision_csv(const std::vector<WorkPrecision>& all, const Table& table);
+
+// "measures": of each "points" as in work_precision.csv and what is "cheapest_within"; and the latter of "all_measures"
+// at once.
+[[nodiscard]] nlohmann::ordered_json work_precision_json(const WorkPrecisionSpec& spec,
+                                                         const std::vector<WorkPrecision>& all, const Table& table);
 
 // "work_precision_grips.top.force_N.svg": characters that a file name should not have become '_'.
 [[nodiscard]] std::string chart_name(const std::string& measure);

@@ -98,9 +98,9 @@ std::optional<std::string> text_of(const toml::node& node, const KeyRule& rule, 
   }
   const auto& allowed = rule.allowed;
   if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), text->get()) == allowed.end()) {
-    const std::string hint = did_you_mean(text->get(), allowed);
-    complaints.add(node, fmt::format("'{}' is '{}'; it must be {}{}", rule.name, text->get(), range_words(rule),
-                                     hint.starts_with("; did") ? hint : ""));
+    std::string hint = did_you_mean(text->get(), allowed);
+    if (!hint.starts_with("; did")) hint = rule.advice.empty() ? "" : "; " + rule.advice;
+    complaints.add(node, fmt::format("'{}' is '{}'; it must be {}{}", rule.name, text->get(), range_words(rule), hint));
     return std::nullopt;
   }
   if (rule.identifier && !is_identifier(text->get())) {

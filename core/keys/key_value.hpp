@@ -42,6 +42,7 @@ struct KeyRule {
   std::string unit = {};                  // "" for text and switches, "1" for pure numbers
   Limits limits = {};                     // of each number of the value
   std::vector<std::string> allowed = {};  // of a text or of each text of a list; empty: any
+  std::string advice = {};                // of a text: said of a word that is none of `allowed` and near to none
   std::string false_word = {};            // of a text: the word that a plain false stands for
   bool required = false;
   bool one_for_all = false;  // a single number stands for every number of an array

@@ -176,6 +176,15 @@ const Keys& bias_extension_keys() {
   return keys;
 }
 
+std::vector<KeyInfo> fit_keys() {
+  std::vector<KeyInfo> all;
+  for (const auto& keys : {describe_keys("", fit_head_keys()), describe_keys("shear", shear_fit_keys()),
+                           describe_keys("tensile", tensile_keys()), describe_keys("shear_frame", shear_frame_keys()),
+                           describe_keys("bias_extension", bias_extension_keys())})
+    all.insert(all.end(), keys.begin(), keys.end());
+  return all;
+}
+
 std::string fit_reference_markdown() {
   const auto section = [](const char* title, const char* doc, const std::vector<KeyInfo>& keys) {
     return std::string("\n### ") + title + "\n\n" + doc + "\n\n" + markdown_table(keys);

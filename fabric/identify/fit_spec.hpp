@@ -105,5 +105,7 @@ struct FitSpec {
 
 // Tables of every key of a fit file (Markdown), from the key table; docs/fit.md holds them.
 [[nodiscard]] std::string fit_reference_markdown();
+// The same keys; of [shear] and the kinds of test `table` is the name.
+[[nodiscard]] std::vector<KeyInfo> fit_keys();
 
 }  // namespace weaveform::identify

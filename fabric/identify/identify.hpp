@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,5 +49,8 @@ struct OutputFile {
 
 // The report's first section: the parameters with their intervals, as Markdown.
 [[nodiscard]] std::string summary_markdown(const Identification& found);
+
+// report.json, as a document.
+[[nodiscard]] nlohmann::ordered_json fit_json(const Identification& found);
 
 }  // namespace weaveform::identify

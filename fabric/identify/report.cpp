@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json/json_text.hpp"
 #include "core/vector/angle.hpp"
 #include "fabric/identify/fit_tables.hpp"
 #include "fabric/identify/identify.hpp"
@@ -198,7 +199,9 @@ Json shear_json(const ShearFit& fit, const std::string& unit) {
   return json;
 }
 
-std::string report_json(const Identification& found) {
+}  // namespace
+
+Json fit_json(const Identification& found) {
   Json json = {{"name", found.spec.head.name},
                {"confidence_percent", found.spec.head.confidence},
                {"warnings", found.warnings},
@@ -208,10 +211,8 @@ std::string report_json(const Identification& found) {
   if (found.shear() != nullptr) json["shear_from"] = found.shear_from_frame() ? "shear_frame" : "bias_extension";
   if (found.frame) json["shear_frame"] = shear_json(*found.frame, "MPa");
   if (found.bias) json["bias_extension"] = shear_json(*found.bias, "N");
-  return json.dump(2) + "\n";
+  return json;
 }
-
-}  // namespace
 
 std::string summary_markdown(const Identification& found) {
   return fmt::format("| parameter | value | {:.4g} % interval | from |\n|---|---|---|---|\n",
@@ -239,7 +240,7 @@ std::vector<OutputFile> output_files(const Identification& found) {
     files.push_back({.name = "bias_extension_load.svg", .chart = load_chart(*found.bias)});
   }
   files.push_back({.name = "report.md", .text = report_markdown(found)});
-  files.push_back({.name = "report.json", .text = report_json(found)});
+  files.push_back({.name = "report.json", .text = json_text(fit_json(found))});
   // The card last: whoever finds one finds its report beside it.
   files.push_back({.name = "card.toml", .text = found.card_text});
   return files;

@@ -7,6 +7,7 @@ const std::vector<Key<ToolSpec>>& tool_keys() {
   static const std::vector<Key<ToolSpec>> keys = {
       key<&ToolSpec::shape>(
           {.name = "shape",
+           .advice = "a CAD file (STEP, IGES, BREP, .geo) or an STL file is shape 'triangles'",
            .required = true,
            .doc =
                "`plane`; `sphere` with a shank of its radius up the axis; endless `cylinder`; `ring`: a plate with a "

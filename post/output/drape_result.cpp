@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
 #include "mesher/drape/flat_pattern.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 
@@ -78,8 +79,8 @@ void write_grid(const Mesh& mesh, const Drape& drape, const std::filesystem::pat
   write_vtk_whole(file, *writer);
 }
 
-nlohmann::json places_json(const std::vector<DrapePlace>& places) {
-  auto list = nlohmann::json::array();
+nlohmann::ordered_json places_json(const std::vector<DrapePlace>& places) {
+  auto list = nlohmann::ordered_json::array();
   for (const auto& place : places) list.push_back({{"what", place.what}, {"at_mm", place.at}, {"count", place.count}});
   return list;
 }
@@ -112,32 +113,38 @@ DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape) {
   return s;
 }
 
-void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const std::vector<Tool>& tools,
-                 const Drape& drape, const std::filesystem::path& directory) {
+nlohmann::ordered_json drape_json(const Scene& scene, const Mesh& mesh, const Card& card,
+                                  const std::vector<Tool>& tools, const Drape& drape) {
   const DrapeSummary s = summarise(mesh, card, drape);
-  const FlatPattern pattern = flat_pattern(scene, mesh, tools, drape);
+  return {{"tool", drape.tool},
+          {"seed_mm", drape.seed},
+          {"cells", s.cells},
+          {"cells_placed", s.cells_placed},
+          {"folded_cells", s.folded_cells},
+          {"unreachable_crossings", s.unreachable_crossings},
+          {"cells_beyond_card", s.cells_beyond_card},
+          {"max_shear_angle_deg", s.max_shear_angle_deg},
+          {"extrapolated_cells", s.extrapolated_cells},
+          {"mean_shear_angle_deg", s.mean_shear_angle_deg},
+          {"flat_area_mm2", pattern_area(flat_pattern(scene, mesh, tools, drape))},
+          {"length_error", drape.length_error},
+          {"net_cells", drape.net_cells},
+          {"wall_s", drape.wall_s},
+          {"cells_per_s", s.cells_per_s},
+          {"unreachable", places_json(drape.unreachable)},
+          {"folds", places_json(drape.folds)},
+          {"tight", places_json(drape.tight)},
+          {"warnings", drape_warnings(mesh, card, drape)}};
+}
+
+nlohmann::ordered_json write_drape(const Scene& scene, const Mesh& mesh, const Card& card,
+                                   const std::vector<Tool>& tools, const Drape& drape,
+                                   const std::filesystem::path& directory) {
   write_grid(mesh, drape, directory / file_name::drape);
-  write_text_whole(directory / file_name::flat_pattern, flat_pattern_csv(pattern));
-  const nlohmann::json json = {{"tool", drape.tool},
-                               {"seed_mm", drape.seed},
-                               {"cells", s.cells},
-                               {"cells_placed", s.cells_placed},
-                               {"folded_cells", s.folded_cells},
-                               {"unreachable_crossings", s.unreachable_crossings},
-                               {"cells_beyond_card", s.cells_beyond_card},
-                               {"max_shear_angle_deg", s.max_shear_angle_deg},
-                               {"extrapolated_cells", s.extrapolated_cells},
-                               {"mean_shear_angle_deg", s.mean_shear_angle_deg},
-                               {"flat_area_mm2", pattern_area(pattern)},
-                               {"length_error", drape.length_error},
-                               {"net_cells", drape.net_cells},
-                               {"wall_s", drape.wall_s},
-                               {"cells_per_s", s.cells_per_s},
-                               {"unreachable", places_json(drape.unreachable)},
-                               {"folds", places_json(drape.folds)},
-                               {"tight", places_json(drape.tight)},
-                               {"warnings", drape_warnings(mesh, card, drape)}};
-  write_text_whole(directory / file_name::drape_numbers, json.dump(2) + "\n");
+  write_text_whole(directory / file_name::flat_pattern, flat_pattern_csv(flat_pattern(scene, mesh, tools, drape)));
+  nlohmann::ordered_json json = drape_json(scene, mesh, card, tools, drape);
+  write_text_whole(directory / file_name::drape_numbers, json_text(json));
+  return json;
 }
 
 std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape) {

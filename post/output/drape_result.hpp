@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,13 @@ struct DrapeSummary {
 };
 [[nodiscard]] DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape);
 
-// `mesh` flat. Throws FileError.
-void write_drape(const Scene& scene, const Mesh& mesh, const Card& card, const std::vector<Tool>& tools,
-                 const Drape& drape, const std::filesystem::path& directory);
+// drape.json, as a document. `mesh` flat.
+[[nodiscard]] nlohmann::ordered_json drape_json(const Scene& scene, const Mesh& mesh, const Card& card,
+                                                const std::vector<Tool>& tools, const Drape& drape);
+// Gives what drape.json holds. `mesh` flat. Throws FileError.
+nlohmann::ordered_json write_drape(const Scene& scene, const Mesh& mesh, const Card& card,
+                                   const std::vector<Tool>& tools, const Drape& drape,
+                                   const std::filesystem::path& directory);
 // A few lines for people, and what the drape says against itself.
 [[nodiscard]] std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape);
 [[nodiscard]] std::vector<std::string> drape_warnings(const Mesh& mesh, const Card& card, const Drape& drape);

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
 #include "core/vector/angle.hpp"
 #include "solver/result/statistics.hpp"
 
@@ -118,7 +119,7 @@ std::vector<MeasureSummary> summarise_measures(const Scene& scene, const History
   return summary;
 }
 
-void write_summary(const Summary& summary, const std::filesystem::path& file) {
+Json summary_json(const Summary& summary) {
   Json json;
   for_each_statistic(summary.statistics, [&](const char* name, const auto& value) { json[name] = value; });
   json["measures"] = Json::object();
@@ -142,7 +143,11 @@ void write_summary(const Summary& summary, const std::filesystem::path& file) {
                      {"zigzag_height_mm", summary.folds->zigzag_height},
                      {"zigzag_share", summary.folds->zigzag_share}};
   json["warnings"] = summary.warning;
-  write_text_whole(file, json.dump(2) + "\n");
+  return json;
+}
+
+void write_summary(const Summary& summary, const std::filesystem::path& file) {
+  write_text_whole(file, json_text(summary_json(summary)));
 }
 
 }  // namespace weaveform

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,8 +59,9 @@ struct Summary {
 
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
 // "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
-// shear frame "frame"; for a scene with tools "forming", for one without "folds"; "warnings", a list of lines. Throws
-// FileError.
+// shear frame "frame"; for a scene with tools "forming", for one without "folds"; "warnings", a list of lines.
+[[nodiscard]] nlohmann::ordered_json summary_json(const Summary& summary);
+// That document as a file. Throws FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);
 [[nodiscard]] std::string summary_table(const Summary& summary);
 

@@ -146,8 +146,8 @@ struct Pictures::Stage {
     if (found == titles.end()) {
       std::vector<std::string> names;
       for (const auto& one : titles) names.emplace_back(one.array);
-      throw InputError(fmt::format("no field '{}' to draw{}; it is one of {}", spec.field,
-                                   did_you_mean(spec.field, names), fmt::join(names, ", ")));
+      // the nearest name, or all of them
+      throw InputError(fmt::format("no field '{}' to draw{}", spec.field, did_you_mean(spec.field, names)));
     }
     title = &*found;
   }

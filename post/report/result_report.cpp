@@ -35,9 +35,10 @@ std::string title_of(const SolveStatistics& statistics, const ResultFolder& fold
   return scene.empty() || scene == "scene" ? fs::weakly_canonical(folder.directory()).filename().string() : scene;
 }
 
-std::string subtitle_of(const SolveStatistics& s, const Scene& scene) {
-  return fmt::format("{} cells of {}, {} steps in {:.3g} s on {} thread{}", s.cells, scene.fabric.material, s.steps,
-                     s.wall_s, s.threads, s.threads == 1 ? "" : "s");
+// A card by its name: the scene may know it by a path that means nothing to who reads the page.
+std::string subtitle_of(const SolveStatistics& s, const Card& card) {
+  return fmt::format("{} cells of {}, {} steps in {:.3g} s on {} thread{}", s.cells, card.name, s.steps, s.wall_s,
+                     s.threads, s.threads == 1 ? "" : "s");
 }
 
 Json facts_of(const SolveStatistics& s, const Mesh& mesh) {
@@ -68,7 +69,7 @@ std::string result_report(ResultFolder& folder, const Evaluation& evaluation) {
   Json data = {{"format", 1},
                {"kind", "result"},
                {"title", title_of(statistics, folder)},
-               {"subtitle", subtitle_of(statistics, scene)},
+               {"subtitle", subtitle_of(statistics, folder.model().card)},
                {"verdict", verdict_json(folder, evaluation)},
                {"part", nullptr},
                {"tools", tools_json(folder, part.frames, part.low, part.high)},

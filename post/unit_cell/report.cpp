@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "core/vector/angle.hpp"
@@ -26,9 +27,13 @@ std::vector<std::size_t> shown_rows(const UnitCellStudy& study) {
   return rows;
 }
 
+// Half a millionth of a degree: an angle asked for is not lost to rounding.
+bool is_within(const UnitCellStudy& study, double angle_deg) {
+  return angle_deg * degree <= study.options.to + 1e-8;
+}
+
 std::string error_cell(const UnitCellStudy& study, const UnitCellCurve& curve, double angle_deg) {
-  // Half a millionth of a degree: an angle asked for is not lost to rounding.
-  if (angle_deg * degree > study.options.to + 1e-8) return fmt::format("{:>9}", "-");
+  if (!is_within(study, angle_deg)) return fmt::format("{:>9}", "-");
   const double percent = 100.0 * error_at(study, curve, angle_deg * degree);
   // No sign on what the two decimals round to nothing.
   return fmt::format("{:>9}", std::abs(percent) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", percent));
@@ -189,6 +194,31 @@ std::string unit_cell_markdown(const UnitCellStudy& study, const std::string& ma
       "the rotation changed.\n\n",
       study.rotation.front().angle / degree);
   return text + rotation_table(study.rotation);
+}
+
+nlohmann::ordered_json unit_cell_json(const UnitCellStudy& study) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"card", study.card.name},
+               {"to_deg", study.options.to / degree},
+               {"increments", study.options.increments},
+               {"tolerance", unit_cell_tolerance},
+               {"variants", Json::array()}};
+  for (const auto& curve : study.curve) {
+    Json errors = Json::object();
+    for (const double angle : table_angles)
+      errors[fmt::format("{:g}", angle)] =
+          is_within(study, angle) ? Json(error_at(study, curve, angle * degree)) : Json(nullptr);
+    json["variants"].push_back({{"name", curve.variant.name()},
+                                {"shape", curve.variant.shape.name},
+                                {"cell", name_of(curve.variant.cell)},
+                                {"formulation", name_of(curve.variant.formulation)},
+                                {"thickness", name_of(curve.variant.thickness)},
+                                {"holds_to_deg", curve.holds_to / degree},
+                                {"holds_to_the_end", curve.holds_to >= study.options.to},
+                                {"relative_error_at_deg", errors},
+                                {"closed_form_distance", curve.closed_form_distance}});
+  }
+  return json;
 }
 
 Chart unit_cell_chart(const UnitCellStudy& study) {

@@ -1,6 +1,7 @@
 // The unit-cell study as files: table for scripts, report for people, chart.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "core/chart/chart.hpp"
@@ -18,6 +19,10 @@ namespace weaveform {
 
 // The part of it that is printed: one row for each variant.
 [[nodiscard]] std::string unit_cell_table(const UnitCellStudy& study);
+
+// The same numbers: "card", "to_deg", "increments", "tolerance" and "variants", each with "holds_to_deg" and
+// "relative_error_at_deg" by angle (null beyond the angle asked for).
+[[nodiscard]] nlohmann::ordered_json unit_cell_json(const UnitCellStudy& study);
 
 // unit_cell.svg: force against angle of the square cell, the analytical response as points.
 [[nodiscard]] Chart unit_cell_chart(const UnitCellStudy& study);

@@ -102,6 +102,10 @@ TEST_F(Render, SaysWhatItCannotDraw) {
   const CommandResult field = run("weaveform render done --output x.png --field shear_angel_deg");
   EXPECT_EQ(field.exit_code, 2);
   EXPECT_TRUE(says(field, "shear_angle_deg")) << field.err;
+  const CommandResult none = run("weaveform render done --output x.png --field qqqqqqqqqqqqqqqq");
+  const std::size_t first = none.err.find("thickness_mm");
+  ASSERT_NE(first, std::string::npos) << none.err;
+  EXPECT_EQ(none.err.find("thickness_mm", first + 1), std::string::npos) << "listed once: " << none.err;
   const CommandResult frame = run("weaveform render done --output x.png --frame 999");
   EXPECT_EQ(frame.exit_code, 2);
   EXPECT_TRUE(says(frame, "has the frames 0 to")) << frame.err;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -58,6 +59,17 @@ protected:
     return "no row '" + name + "'";
   }
 };
+
+// Where the card lies means nothing to who reads the page.
+TEST_F(Report, NamesTheCardAndNotItsPath) {
+  const std::string cards = std::string(WEAVEFORM_SOURCE_DIR) + "/fabric/cards/";
+  std::filesystem::create_directory(file("cards"));
+  std::filesystem::copy_file(cards + "twintex-pw.toml", file("cards/mine.toml"));
+  must("weaveform run tiny.toml --set fabric.material=cards/mine.toml --output done --report --quiet");
+  const std::string subtitle = data("done/report.html")["subtitle"];
+  EXPECT_EQ(subtitle.find('/'), std::string::npos) << subtitle;
+  EXPECT_NE(subtitle.find("cells of twintex-pw, "), std::string::npos) << subtitle;
+}
 
 TEST_F(Report, SaysTheNumbersOfTheRunAndItsFields) {
   must("weaveform run tiny.toml --output done --report --quiet");

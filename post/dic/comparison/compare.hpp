@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,9 @@ struct Comparison {
 
 // What the user sees at the end: placement, instrument, one row per stage, zones of the last stage, load, verdict.
 [[nodiscard]] std::string verdict_table(const Comparison& comparison);
+
+// comparison.json, as a document.
+[[nodiscard]] nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
 // The tables, charts and comparison.json.
 void write_report(const Comparison& comparison, const std::filesystem::path& output);

@@ -7,6 +7,7 @@
 #include "core/chart/chart.hpp"
 #include "core/files/csv.hpp"
 #include "core/files/files.hpp"
+#include "core/json/json_text.hpp"
 #include "core/vector/angle.hpp"
 #include "post/dic/comparison/compare.hpp"
 #include "solver/result/chart_file.hpp"
@@ -79,6 +80,8 @@ Json stage_json(const ComparedStage& stage) {
           {"notes", stage.notes}};
 }
 
+}  // namespace
+
 Json comparison_json(const Comparison& c) {
   Json json = {{"result", c.result.string()},
                {"measurement", c.files},
@@ -105,6 +108,8 @@ Json comparison_json(const Comparison& c) {
     json["load"] = {{"rms_difference_N", number(c.load->rms)}, {"measured_over_simulated", number(c.load->ratio)}};
   return json;
 }
+
+namespace {
 
 std::string stages_csv(const Comparison& c) {
   std::string text = "stage,travel_mm,simulated_force_N,measured_force_N,points";
@@ -260,9 +265,7 @@ void write_report(const Comparison& c, const fs::path& output) {
     write_chart(output / file_name::load_chart, load_chart(c));
   }
   write_chart(output / file_name::angle_chart, angle_chart(c));
-  // Names from headers may be in any encoding; what is not UTF-8 becomes a replacement character.
-  const std::string text = comparison_json(c).dump(2, ' ', false, Json::error_handler_t::replace);
-  write_text_whole(output / file_name::comparison, text + "\n");
+  write_text_whole(output / file_name::comparison, json_text(comparison_json(c)));
 }
 
 }  // namespace weaveform::dic

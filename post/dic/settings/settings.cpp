@@ -142,6 +142,12 @@ Settings read_settings(const std::string& file, const std::vector<std::string>& 
   return settings;
 }
 
+std::vector<KeyInfo> settings_keys() {
+  std::vector<KeyInfo> all;
+  for (const SettingsTable& table : settings_tables()) all.insert(all.end(), table.keys.begin(), table.keys.end());
+  return all;
+}
+
 std::string settings_reference_markdown() {
   std::string text =
       "# Settings of the DIC comparison\n\n"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/keys/key_info.hpp"
 #include "post/dic/readers/measurement.hpp"
 #include "post/dic/settings/choices.hpp"
 
@@ -93,5 +94,6 @@ struct Settings {
 
 // Every key as Markdown (docs/dic_settings.md).
 [[nodiscard]] std::string settings_reference_markdown();
+[[nodiscard]] std::vector<KeyInfo> settings_keys();
 
 }  // namespace weaveform::dic

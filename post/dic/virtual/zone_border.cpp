@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/vector/angle.hpp"
@@ -157,6 +158,26 @@ std::string zone_border_table(const ZoneBorders& study) {
                           row.window, cell(row.ideal), cell(row.ab), cell(row.bc));
   }
   return text;
+}
+
+nlohmann::ordered_json zone_border_json(const ZoneBorders& study) {
+  nlohmann::ordered_json json = {{"travel_mm", study.travel},
+                                 {"shear_angle_deg",
+                                  {{"A", study.angle[0] * degrees_per_radian},
+                                   {"B", study.angle[1] * degrees_per_radian},
+                                   {"C", study.angle[2] * degrees_per_radian}}},
+                                 {"widths", nlohmann::ordered_json::array()}};
+  for (const ZoneBorderWidth& row : study.width) {
+    const bool raw = row.window == 0;
+    json["widths"].push_back({{"field", raw ? "raw" : "levelled"},
+                              {"facet_size_mm", raw ? std::nan("") : row.facet_size},
+                              {"step_mm", raw ? std::nan("") : row.step},
+                              {"window_points", row.window},
+                              {"sharp_border_mm", raw ? std::nan("") : row.ideal},
+                              {"border_ab_mm", row.ab},
+                              {"border_bc_mm", row.bc}});
+  }
+  return json;
 }
 
 }  // namespace weaveform::dic

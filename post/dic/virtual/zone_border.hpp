@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct ZoneBorders {
 [[nodiscard]] ZoneBorders zone_border_widths(const std::filesystem::path& result,
                                              const std::vector<double>& facet_sizes, const Settings& settings);
 [[nodiscard]] std::string zone_border_table(const ZoneBorders& study);
+// The same numbers: "travel_mm", "shear_angle_deg" of zones A, B, C, and "widths", the raw field's first; null where a
+// border is too wide to have one.
+[[nodiscard]] nlohmann::ordered_json zone_border_json(const ZoneBorders& study);
 
 // Shear angle (rad) at a place as seen by facets of a size at a step, in a window around it, of any displacement field
 // u(Vec2) -> Eigen::Vector2d; the sides of facets and window lie along x and y.

@@ -6,6 +6,7 @@ set(UNIT_CORE_SOURCES
   unit/core/files/files_test.cpp
   unit/core/guard/guarded_test.cpp
   unit/core/instructions/instructions_test.cpp
+  unit/core/json/toml_json_test.cpp
   unit/core/keys/advice_test.cpp
   unit/core/keys/choice_test.cpp
   unit/core/log/plain_text_test.cpp

@@ -47,6 +47,12 @@ TEST(SceneComplaint, UnknownKeyAndTableNameTheNearest) {
             "s.toml:1:1: no key belongs outside a table: 'outptu'; did you mean 'output'?");
 }
 
+TEST(SceneComplaint, AToolFromCadIsToldItsShape) {
+  EXPECT_EQ(complaint_of("[tools.die]\nshape = \"cad\"\nfile = \"die.step\"\n"),
+            "s.toml:2:9: 'shape' is 'cad'; it must be one of 'plane', 'sphere', 'cylinder', 'ring', 'revolved', "
+            "'triangles'; a CAD file (STEP, IGES, BREP, .geo) or an STL file is shape 'triangles'");
+}
+
 TEST(SceneComplaint, WrongTypesPointAtTheValue) {
   EXPECT_EQ(complaint_of("[blank]\nsize = 3\n"), "s.toml:2:8: 'size' is a whole number; it must be 2 numbers (mm)");
   EXPECT_EQ(complaint_of("[blank]\nsize = [1, 2, 3]\n"), "s.toml:2:8: 'size' has 3 values; it must be 2 numbers");

@@ -1,0 +1,29 @@
+#include "app/stages/mesh_json.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/json/toml_json.hpp"
+#include "mesher/scene/reader.hpp"
+
+namespace weaveform {
+
+nlohmann::ordered_json mesh_json(const Resolved& model) {
+  const Mesh& mesh = model.mesh;
+  return {{"cells", mesh.cells.size()},
+          {"yarn_elements", mesh.yarn_count()},
+          {"nodes", mesh.node_count()},
+          {"spacing_mm", mesh.spacing},
+          {"coarsening",
+           std::array{mesh.spacing[1] / model.card.yarn[0].interval, mesh.spacing[0] / model.card.yarn[1].interval}}};
+}
+
+nlohmann::ordered_json check_json(const Resolved& model, const std::string& expected, const std::string& resolved) {
+  nlohmann::ordered_json json = {{"mesh", mesh_json(model)},
+                                 {"expected", expected},
+                                 {"scene", toml_file_json(scene_to_toml(model.scene), model.scene.file)}};
+  if (!resolved.empty()) json["resolved"] = toml_file_json(resolved, model.scene.file).at("resolved");
+  return json;
+}
+
+}  // namespace weaveform

@@ -1,0 +1,20 @@
+// What `mesh`, `check`, `import` and `export` say of a mesh, and the whole answer of `check`, as JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "mesher/resolve/resolved.hpp"
+
+namespace weaveform {
+
+// The numbers of describe(model): "cells", "yarn_elements", "nodes", "spacing_mm" and "coarsening" of warp and weft, the
+// latter as the lattice came to.
+[[nodiscard]] nlohmann::ordered_json mesh_json(const Resolved& model);
+
+// "mesh" as above, "expected" (what the run is expected to take, a line), "scene" (every value, under the names of the
+// scene file) and, of a `resolved` that is not empty, "resolved": the tables of resolved_text.
+[[nodiscard]] nlohmann::ordered_json check_json(const Resolved& model, const std::string& expected,
+                                                const std::string& resolved);
+
+}  // namespace weaveform
