@@ -73,6 +73,7 @@ TEST_F(JsonAnswer, OfCheckIsTheSceneThatItPrints) {
   const json resolved = answer("check tiny.toml --resolved");
   EXPECT_EQ(resolved["scene"], plain["scene"]);
   EXPECT_EQ(resolved["resolved"]["mesh"]["cells"], plain["mesh"]["cells"]);
+  EXPECT_EQ(resolved["resolved"]["analysis"]["cells_solved"], plain["expected"]["cells_solved"]);
   EXPECT_TRUE(says(text("check tiny.toml"), "# mesh: " + plain["mesh"]["cells"].dump() + " cells"));
   // nothing that the text has is missing
   const std::string printed = text("check tiny.toml --resolved");
