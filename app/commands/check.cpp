@@ -35,11 +35,11 @@ void add_check_command(CLI::App& program) {
   command->callback([arguments] {
     const SceneArguments& scene = arguments->scene;
     const Resolved model = checked_model(scene.scene, scene.overrides, scene.yes, Look::with_first_step);
-    const std::string expected = require_room(model, default_result_folder(scene.scene), scene.yes);
+    const ExpectedRun expected = require_room(model, default_result_folder(scene.scene), scene.yes);
     log_warnings(early_warnings(model));
     const std::string resolved = arguments->resolved ? resolved_text(model) : "";
     if (arguments->json) return print_answer(json_text(check_json(model, expected, resolved)));
-    print_answer("# " + describe(model) + "\n# " + expected + "\n" + scene_to_toml(model.scene) + resolved);
+    print_answer("# " + describe(model) + "\n# " + describe(expected) + "\n" + scene_to_toml(model.scene) + resolved);
   });
 }
 

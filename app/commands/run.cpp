@@ -99,7 +99,7 @@ void run(const RunArguments& arguments) {
       checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_all_complaints);
   const std::filesystem::path directory = folder_of(arguments);
   std::string expected;
-  if (!arguments.solve.resume) expected = require_room(model, directory, arguments.scene.yes);
+  if (!arguments.solve.resume) expected = describe(require_room(model, directory, arguments.scene.yes));
   if (!arguments.solve.quiet) {
     log_start("run", model.scene, arguments.verbose);
     log_line(describe(model));

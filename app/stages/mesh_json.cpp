@@ -18,9 +18,14 @@ nlohmann::ordered_json mesh_json(const Resolved& model) {
            std::array{mesh.spacing[1] / model.card.yarn[0].interval, mesh.spacing[0] / model.card.yarn[1].interval}}};
 }
 
-nlohmann::ordered_json check_json(const Resolved& model, const std::string& expected, const std::string& resolved) {
+nlohmann::ordered_json check_json(const Resolved& model, const ExpectedRun& expected, const std::string& resolved) {
   nlohmann::ordered_json json = {{"mesh", mesh_json(model)},
-                                 {"expected", expected},
+                                 {"expected",
+                                  {{"cells_solved", expected.cells_solved},
+                                   {"steps", expected.steps},
+                                   {"step_s", expected.step},
+                                   {"wall_s", expected.wall},
+                                   {"memory_MB", 1e-6 * expected.memory}}},
                                  {"scene", toml_file_json(scene_to_toml(model.scene), model.scene.file)}};
   if (!resolved.empty()) json["resolved"] = toml_file_json(resolved, model.scene.file).at("resolved");
   return json;

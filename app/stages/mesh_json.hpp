@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "app/stages/room.hpp"
 #include "mesher/resolve/resolved.hpp"
 
 namespace weaveform {
@@ -12,9 +13,9 @@ namespace weaveform {
 // latter as the lattice came to.
 [[nodiscard]] nlohmann::ordered_json mesh_json(const Resolved& model);
 
-// "mesh" as above, "expected" (what the run is expected to take, a line), "scene" (every value, under the names of the
+// "mesh" as above, "expected" (what the run is expected to take), "scene" (every value, under the names of the
 // scene file) and, of a `resolved` that is not empty, "resolved": the tables of resolved_text.
-[[nodiscard]] nlohmann::ordered_json check_json(const Resolved& model, const std::string& expected,
+[[nodiscard]] nlohmann::ordered_json check_json(const Resolved& model, const ExpectedRun& expected,
                                                 const std::string& resolved);
 
 }  // namespace weaveform

@@ -134,14 +134,23 @@ std::string duration_text(double seconds) {
   return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.3g} h", seconds / 3600.0);
 }
 
-std::string expectation(const Resolved& model, const Solve& solve, double seconds) {
-  return fmt::format(
-      "expected: {} cells to solve of {}, about {:.3g} steps of {:.3g} s, {} on one thread, {} of memory", solve.cells,
-      model.mesh.cells.size(), solve.steps(), solve.step, duration_text(seconds),
-      amount(expected_memory(model.scene, expected_size(model.scene.blank, model.card, model.outline))));
+ExpectedRun expectation(const Resolved& model, const Solve& solve, double seconds) {
+  return {model.mesh.cells.size(),
+          solve.cells,
+          solve.steps(),
+          solve.step,
+          seconds,
+          expected_memory(model.scene, expected_size(model.scene.blank, model.card, model.outline))};
 }
 
 }  // namespace
+
+std::string describe(const ExpectedRun& expected) {
+  return fmt::format(
+      "expected: {} cells to solve of {}, about {:.3g} steps of {:.3g} s, {} on one thread, {} of memory",
+      expected.cells_solved, expected.cells, expected.steps, expected.step, duration_text(expected.wall),
+      amount(expected.memory));
+}
 
 void require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes) {
   const ExpectedSize size = expected_size(scene.blank, card, outline);
@@ -173,7 +182,7 @@ void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::p
       directory.empty() ? "the disk" : directory.string(), amount(most)));
 }
 
-std::string require_time(const Resolved& model, bool yes) {
+ExpectedRun require_time(const Resolved& model, bool yes) {
   const Scene& scene = model.scene;
   const double rate = expected_rate(scene, model.card), limit = 3600.0 * scene.analysis.most_hours;
   Solve expected{choose_loading(scene, model.card, model.extent()).duration,

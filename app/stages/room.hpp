@@ -18,8 +18,16 @@ void require_memory(const Scene& scene, const Card& card, const BlankOutline& ou
 // The same for the frames and the history in `directory`.
 void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes);
 
-// The same for the hours of the solve (analysis.most_hours), from the step that the first look at the mesh gives. What
-// is expected, as one line for the log.
-std::string require_time(const Resolved& model, bool yes);
+// What a run is expected to take, on one thread.
+struct ExpectedRun {
+  int cells = 0, cells_solved = 0;  // of the whole, of the part that symmetry leaves
+  double steps = 0.0, step = 0.0;   // step in s
+  double wall = 0.0;                // s; of the solve
+  double memory = 0.0;              // bytes; of the whole process
+};
+[[nodiscard]] std::string describe(const ExpectedRun& expected);  // one line for the log
+
+// The same for the hours of the solve (analysis.most_hours), from the step that the first look at the mesh gives.
+ExpectedRun require_time(const Resolved& model, bool yes);
 
 }  // namespace weaveform

@@ -28,7 +28,7 @@ std::vector<std::string> not_said(const std::vector<std::string>& warnings, cons
   return left;
 }
 
-std::string require_room(const Resolved& model, const fs::path& directory, bool yes) {
+ExpectedRun require_room(const Resolved& model, const fs::path& directory, bool yes) {
   require_disk(model.scene, model.mesh, directory, yes);
   return require_time(model, yes);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/stages/room.hpp"
 #include "core/log/listener.hpp"
 #include "mesher/resolve/resolved.hpp"
 #include "post/post.hpp"
@@ -19,9 +20,9 @@ namespace weaveform {
 [[nodiscard]] std::vector<std::string> not_said(const std::vector<std::string>& warnings,
                                                 const std::vector<std::string>& said);
 
-// What the run is expected to take, as a line for the log. Throws InputError when the disk of `directory` or the hours
+// What the run is expected to take. Throws InputError when the disk of `directory` or the hours
 // allowed are too few for the run, unless `yes`.
-std::string require_room(const Resolved& model, const std::filesystem::path& directory, bool yes);
+ExpectedRun require_room(const Resolved& model, const std::filesystem::path& directory, bool yes);
 
 // mesh: DIR/mesh.vtu and DIR/scene.toml, in a folder that is claimed, cleared of an older run. `scene_name` as in
 // write_scene_copy. Gives the folder, open, with all that is known of it.

@@ -20,7 +20,7 @@ using weaveform::test::read_text;
 using weaveform::test::says;
 using weaveform::test::write_text;
 
-const std::string examples = WEAVEFORM_SOURCE_DIR "/examples/";
+const std::string our_examples = WEAVEFORM_SOURCE_DIR "/examples/";
 
 class JsonAnswer : public weaveform::test::CommandFolder {
 protected:
@@ -73,6 +73,7 @@ TEST_F(JsonAnswer, OfCheckIsTheSceneThatItPrints) {
   const json resolved = answer("check tiny.toml --resolved");
   EXPECT_EQ(resolved["scene"], plain["scene"]);
   EXPECT_EQ(resolved["resolved"]["mesh"]["cells"], plain["mesh"]["cells"]);
+  EXPECT_EQ(resolved["resolved"]["analysis"]["cells_solved"], plain["expected"]["cells_solved"]);
   EXPECT_TRUE(says(text("check tiny.toml"), "# mesh: " + plain["mesh"]["cells"].dump() + " cells"));
   // nothing that the text has is missing
   const std::string printed = text("check tiny.toml --resolved");
@@ -113,13 +114,13 @@ TEST_F(JsonAnswer, OfAFibreExportCountsTheShells) {
 
 TEST_F(JsonAnswer, OfADrapeIsItsFile) {
   const CommandResult draped =
-      run("weaveform drape '" + examples + "drape_hemisphere.toml' --set blank.coarsening=4 --output net --json");
+      run("weaveform drape '" + our_examples + "drape_hemisphere.toml' --set blank.coarsening=4 --output net --json");
   ASSERT_EQ(draped.exit_code, 0) << draped.err;
   EXPECT_EQ(draped.out, read_text(file("net/drape.json")));
 }
 
 TEST_F(JsonAnswer, OfAFitIsItsReport) {
-  const CommandResult fitted = run("weaveform fit '" + examples + "fit/twintex.toml' --output fitted --json");
+  const CommandResult fitted = run("weaveform fit '" + our_examples + "fit/twintex.toml' --output fitted --json");
   ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
   EXPECT_EQ(fitted.out, read_text(file("fitted/report.json")));
 }

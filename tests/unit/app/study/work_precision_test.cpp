@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/study/work_precision_report.hpp"
 #include "core/error.hpp"
@@ -155,6 +156,24 @@ TEST(WorkPrecision, AbsoluteErrorsAreInTheMeasuresUnit) {
   EXPECT_EQ(work_precision_chart(angle, two_laws()).y.title, "error (deg)");
   EXPECT_TRUE(says(work_precision_markdown(*study.work_precision, {angle}, two_laws()),
                    "cheapest within | 2 deg | 1 deg | 0.5 deg |"));
+}
+
+TEST(WorkPrecision, PeopleReadWordsAndScriptsNames) {
+  Study study = with_reference(ErrorReference::value);
+  study.reference.value = {{"force", 100.0, "", {}}};
+  const Table table = two_laws();
+  WorkPrecision one = points(study, table);
+  const auto json = work_precision_json(*study.work_precision, {one}, table);
+  ASSERT_EQ(json["measures"][0]["points"].size(), one.point.size());
+  for (std::size_t i = 0; i < one.point.size(); ++i) {
+    EXPECT_EQ(json["measures"][0]["points"][i]["error"].get<double>(), one.point[i].error);
+    EXPECT_EQ(json["measures"][0]["points"][i]["pareto_front"].get<bool>(), one.point[i].on_front);
+  }
+  EXPECT_EQ(json["measures"][0]["cheapest_within"].size(), 3U) << "one for each tolerance";
+  one.measure = "tools.punch.force_N";
+  EXPECT_EQ(work_precision_chart(one, table).title, "force of punch at the end (N)");
+  EXPECT_TRUE(says(work_precision_markdown(*study.work_precision, {one}, table), "\nforce of punch at the end (N)\n"));
+  EXPECT_EQ(chart_name(one.measure), "work_precision_tools.punch.force_N.svg") << "files keep the name";
 }
 
 // A measure that is itself an error has 0 for its reference.
