@@ -9,7 +9,7 @@ import numpy as np
 from weaveform import inside
 
 scene = Path(__file__).parents[1] / "bias_extension_pw.toml"
-world = inside.World(scene, {"blank.coarsening": 4, "analysis.symmetry": "none"}, threads=1)
+world = inside.World(scene, {"blank.coarsening": 4, "model.symmetry": "none"}, threads=1)
 ply = world.ply
 
 # %% Own stopping rule: the mean angle of the middle passes 20 deg

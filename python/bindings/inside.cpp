@@ -157,7 +157,7 @@ py::list tools_of(World& its) {
 // (columns, rows), those rows whose forces are known
 py::tuple history_of(World& its) {
   const History& history = its.steered().history();
-  const auto rows = static_cast<std::size_t>(its.steered().closed_rows());
+  const std::size_t rows = its.steered().closed_rows();
   py::array_t<double> values({rows, history.column.size()});
   for (std::size_t k = 0; k < rows; ++k)
     std::memcpy(values.mutable_data(static_cast<py::ssize_t>(k), 0), history.row[k].data(),

@@ -261,7 +261,7 @@ class World:
 
     @property
     def parts(self):
-        """The whole is this many times what is solved: 1, 2 or 4. {"analysis.symmetry": "none"} makes it 1."""
+        """The whole is this many times what is solved: 1, 2 or 4. {"model.symmetry": "none"} makes it 1."""
         return self._world.parts
 
     @property

@@ -1,5 +1,7 @@
 #include "solver/analysis/steered.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "solver/analysis/prepare.hpp"
 
@@ -40,6 +42,11 @@ void Steered::end() {
   if (ended_) return;
   ended_ = true;
   (void)analysis_->close();
+}
+
+// At the end the window of forces may be that of a row which never came.
+std::size_t Steered::closed_rows() const {
+  return std::min(static_cast<std::size_t>(analysis_->closed_rows()), history().row.size());
 }
 
 std::vector<Vec3>& Steered::load() {

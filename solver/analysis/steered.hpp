@@ -32,7 +32,7 @@ public:
   [[nodiscard]] World& world() { return analysis_->world(); }
   [[nodiscard]] const History& history() const { return analysis_->history(); }
   // Rows from the first whose forces, means over half a row before and after, are known; all at the end.
-  [[nodiscard]] int closed_rows() const { return analysis_->closed_rows(); }
+  [[nodiscard]] std::size_t closed_rows() const;
   // N; forces on the nodes of ply(0).mesh() that the caller sets and that act until he sets others. Where mirror planes
   // are (ply(0).part()), each acts on all images of its node. The ply has none before the first call. Positions that
   // they hang on are no part of the stable step: a spring of stiffness k on a mass m is stable below 2 sqrt(m/k).
