@@ -9,7 +9,7 @@ import numpy as np
 from weaveform import inside
 
 scene = Path(__file__).parents[1] / "bias_extension_pw.toml"
-world = inside.World(scene, {"blank.coarsening": 4, "model.symmetry": "none"}, threads=1)
+world = inside.World(scene, {"blank.coarsening": 3, "model.symmetry": "none"}, threads=1)
 ply = world.ply
 
 # %% Own stopping rule: the mean angle of the middle passes 20 deg
@@ -29,10 +29,10 @@ nodes = np.flatnonzero(np.linalg.norm(ply.start[:, :2], axis=1) < 20.0)  # all a
 load = ply.external  # N; a view: what is written there acts in the next step
 before = ply.positions()
 for part in np.linspace(0.0, 1.0, 200):
-    load[nodes, 0] = 5.0 * part / len(nodes)
+    load[nodes, 0] = 2.0 * part / len(nodes)
     world.step(10)
 moved = (ply.positions() - before)[nodes, 0].mean()
-print(f"5 N moved {len(nodes)} nodes by {moved:.2f} mm to the right")
+print(f"2 N moved {len(nodes)} nodes by {moved:.2f} mm to the right")
 
 # %% The history up to here, as a run would have written it
 world.end()

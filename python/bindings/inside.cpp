@@ -24,9 +24,8 @@ constexpr int signal_look = 16;                // steps between looks at Ctrl-C
 
 Resolved model_of(const std::string& scene, const std::vector<std::string>& overrides) {
   Findings found;
-  const ResolveChecks checks{.of_card = [](const Scene& read, const Card& card) {
-    (void)choose_flexure(card, read.model);
-  }};
+  const ResolveChecks checks{
+      .of_card = [](const Scene& read, const Card& card) { (void)choose_flexure(card, read.model); }};
   Resolved model = resolve(scene, overrides, found, checks);
   found.throw_if_any();
   return model;
@@ -103,8 +102,7 @@ py::dict mesh_of(const Mesh& mesh) {
 
 py::dict fields_of(World& its) {
   const Ply& ply = its.ply();
-  const Fields fields =
-      compute_fields(ply.whole(), ply.card(), ply.model(), its.world().time(), ply.whole_positions());
+  const Fields fields = compute_fields(ply.whole(), ply.card(), ply.model(), its.world().time(), ply.whole_positions());
   std::vector<double> angle = fields.shear_angle;
   for (double& one : angle) one *= degrees;
   py::dict all;
@@ -175,15 +173,12 @@ std::vector<int> whole_nodes(const Ply& ply) {
 void add_arrays(py::class_<World>& world) {
   // what is a view of the world's memory keeps it
   const auto state = [](const py::object& self) -> State& { return self.cast<World&>().ply().state(); };
-  world.def_property_readonly("position", [state](const py::object& self) {
-    return components(self, state(self).position, Access::write);
-  });
-  world.def_property_readonly("velocity", [state](const py::object& self) {
-    return components(self, state(self).velocity, Access::write);
-  });
-  world.def_property_readonly("force", [state](const py::object& self) {
-    return components(self, state(self).force, Access::read);
-  });
+  world.def_property_readonly(
+      "position", [state](const py::object& self) { return components(self, state(self).position, Access::write); });
+  world.def_property_readonly(
+      "velocity", [state](const py::object& self) { return components(self, state(self).velocity, Access::write); });
+  world.def_property_readonly(
+      "force", [state](const py::object& self) { return components(self, state(self).force, Access::read); });
   world.def_property_readonly("mass", [](const py::object& self) {
     const auto& mass = self.cast<World&>().ply().packed().mass;
     return view(const_cast<double*>(mass.data()), mass.size(), self, Access::read);
@@ -192,8 +187,8 @@ void add_arrays(py::class_<World>& world) {
     const auto& order = self.cast<World&>().ply().packed().packed_of_mesh;
     return view(order.data(), order.size(), self);
   });
-  world.def_property_readonly(
-      "external", [](const py::object& self) { return view(self.cast<World&>().steered().load(), self); });
+  world.def_property_readonly("external",
+                              [](const py::object& self) { return view(self.cast<World&>().steered().load(), self); });
   world.def_property_readonly("whole_node", [](World& its) { return copied(whole_nodes(its.ply())); });
   world.def("positions", [](World& its) { return copied(its.ply().whole_positions()); });
   world.def("fields", &fields_of);
