@@ -45,8 +45,6 @@ function(weaveform_inner_loop target)
     target_link_libraries(${loops} PRIVATE weaveform_options weaveform_warnings)
     target_compile_definitions(${loops} PRIVATE WEAVEFORM_SET=${set})
     target_compile_options(${loops} PRIVATE ${inner_loop_flags} ${inner_loop_${set}})
-    # they reach for nothing outside themselves, so that the compiler's default can be linked anywhere
-    set_target_properties(${loops} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${loops}>)
     if(WEAVEFORM_SETS_DEFINITION STREQUAL WEAVEFORM_SEVERAL_SETS AND NOT WEAVEFORM_INSTRUMENTED)
       set(proof ${CMAKE_CURRENT_BINARY_DIR}/${loops}.own_code)
