@@ -68,7 +68,9 @@ class Vectors:
         for k, component in enumerate(self):
             component[self.order[nodes]] = values[:, k]
 
-    def __array__(self, dtype=None):
+    def __array__(self, dtype=None, copy=None):
+        if copy is False:
+            raise ValueError("three views are one array only as a copy; take x, y or z")
         return np.asarray(self.at(), dtype)
 
 

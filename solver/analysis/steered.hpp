@@ -34,8 +34,9 @@ public:
   // Rows from the first whose forces, means over half a row before and after, are known; all at the end.
   [[nodiscard]] std::size_t closed_rows() const;
   // N; forces on the nodes of ply(0).mesh() that the caller sets and that act until he sets others. Where mirror planes
-  // are (ply(0).part()), each acts on all images of its node. The ply has none before the first call. Positions that
-  // they hang on are no part of the stable step: a spring of stiffness k on a mass m is stable below 2 sqrt(m/k).
+  // are (ply(0).part()), each acts on all images of its node. The ply has none before the first call. The stable
+  // step knows nothing of forces that hang on positions: those of a spring of stiffness k alone on a mass m are stable
+  // below 2 sqrt(m/k).
   [[nodiscard]] std::vector<Vec3>& load();
 
 private:
