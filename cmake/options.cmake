@@ -3,6 +3,8 @@
 add_library(weaveform_options INTERFACE)
 target_include_directories(weaveform_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/weaveform>)
+# Position-independent code may otherwise not inline what another library could put its own in place of; nobody does.
+target_compile_options(weaveform_options INTERFACE $<BUILD_INTERFACE:-fno-semantic-interposition>)
 if(WEAVEFORM_SANITIZE)
   target_compile_options(weaveform_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(weaveform_options INTERFACE -fsanitize=address,undefined)

@@ -6,9 +6,8 @@
 
 #include "core/files/files.hpp"
 #include "mesher/resolve/resolve.hpp"
-#include "mesher/symmetry/cut_part.hpp"
 #include "solver/analysis/analysis.hpp"
-#include "solver/bending/flexure.hpp"
+#include "solver/analysis/prepare.hpp"
 #include "solver/result/file_names.hpp"
 
 namespace weaveform {
@@ -51,22 +50,13 @@ void close_run(const SolveStatistics& statistics, const std::filesystem::path& d
     std::filesystem::remove(directory / name);
 }
 
-// The fabric with analysis.mass_scale times its mass; loading.cpp and gravity.cpp leave it out again, for durations are
-// chosen by the real mass and weight is the real weight.
-Resolved heavier(Resolved model) {
-  for (double& mass : model.mesh.nodes.mass) mass *= model.scene.analysis.mass_scale;
-  return model;
-}
-
 }  // namespace
 
 SolveResult solve(const Resolved& real, const std::filesystem::path& directory, const SolveOptions& options) {
   std::optional<Resolved> scaled;
-  if (real.scene.analysis.mass_scale != 1.0) scaled = heavier(real);
+  if (real.scene.analysis.mass_scale != 1.0) scaled = with_scaled_mass(real);
   const Resolved& model = scaled ? *scaled : real;
-  std::optional<SymmetricPart> part;
-  if (!model.symmetry.plane.empty())
-    part = cut_part(model.mesh, model.symmetry, choose_flexure(model.card, model.scene.model).bends_yarns);
+  const std::optional<SymmetricPart> part = part_to_solve(model);
   SolveResult result = Analysis(model, part ? &*part : nullptr, directory, options).run();
   if (model.scene.analysis.perturbation > 0.0) compare_with_clean_run(model, directory, options, result);
   if (!directory.empty()) close_run(result.statistics, directory);

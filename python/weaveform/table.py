@@ -58,6 +58,14 @@ class Table(Mapping):
         self._values = {name: _column(name, [row[k] for _, row in rows[1:]]) for k, name in enumerate(self.columns)}
         self.rows = len(rows) - 1
 
+    @classmethod
+    def of(cls, name, columns, values):
+        """A table that lies in no file: `values` is (rows, columns); `name` stands for the file in messages."""
+        table = cls.__new__(cls)
+        table.path, table.columns, table.rows = Path(name), list(columns), len(values)
+        table._values = {column: np.array(values[:, k]) for k, column in enumerate(table.columns)}
+        return table
+
     def __getitem__(self, name):
         if name not in self._values:
             raise KeyError(f"{self.path.name} has no column '{name}'; it has {', '.join(self.columns)}")

@@ -49,21 +49,36 @@ Analysis::Analysis(const Resolved& model, const SymmetricPart* part, std::filesy
       started_(std::chrono::steady_clock::now()) {}
 
 SolveResult Analysis::run() {
+  open();
+  while (step_on()) {
+    renew_forces();
+    look_at_checkpoint();
+  }
+  return close();
+}
+
+void Analysis::open() {
   if (options_.resume)
     resume();
   else
     begin();
-  for (;;) {
-    if (world_.steps() % check_interval == 0) look_around();
-    open_outputs();
-    const bool last = world_.finished();
-    step(last);
-    close_outputs();
-    if (last || stops_here()) break;
-    world_.compute_forces();
-    if (world_.passes_reach()) renew_step();
-    look_at_checkpoint();
-  }
+}
+
+bool Analysis::step_on() {
+  if (world_.steps() % check_interval == 0) look_around();
+  open_outputs();
+  const bool last = world_.finished();
+  step(last);
+  close_outputs();
+  return !last && !stops_here();
+}
+
+void Analysis::renew_forces() {
+  world_.compute_forces();
+  if (world_.passes_reach()) renew_step();
+}
+
+SolveResult Analysis::close() {
   outputs_.finish();
   if (!options_.quiet && options_.progress.finish) options_.progress.finish(fmt::format("{} steps", world_.steps()));
   SolveResult result{.history = outputs_.history(), .statistics = statistics(), .position = outputs_.fields().position};

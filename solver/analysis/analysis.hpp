@@ -23,6 +23,19 @@ public:
            const SolveOptions& options);
   SolveResult run();
 
+  // The pieces of run(), for who steps by himself (solver/analysis/steered.hpp). The start, or the checkpoint's state:
+  void open();
+  // A step with the forces at hand, and what is shown of its beginning. False: that was the last, and the clock and
+  // positions stayed.
+  bool step_on();
+  // Forces for the next step, at the present positions.
+  void renew_forces();
+  // After the last step, whichever that was.
+  SolveResult close();
+  [[nodiscard]] World& world() { return world_; }
+  [[nodiscard]] const History& history() const { return outputs_.history(); }
+  [[nodiscard]] int closed_rows() const { return outputs_.closed_rows(); }
+
 private:
   // Everything that has a state, in one order for all who keep it.
   void archive(Archive& archive);

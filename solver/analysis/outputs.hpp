@@ -44,6 +44,7 @@ public:
 
   [[nodiscard]] const Fields& fields() const { return fields_; }  // of the last look
   [[nodiscard]] const History& history() const { return recorder_.history(); }
+  [[nodiscard]] int closed_rows() const { return recorder_.closed_rows(); }  // that nothing will change any more
   void archive(Archive& archive);
 
 private:

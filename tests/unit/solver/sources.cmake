@@ -1,4 +1,5 @@
 set(UNIT_SOLVER_SOURCES
+  unit/solver/analysis/steered_test.cpp
   unit/solver/analysis/world_test.cpp
   unit/solver/bending/bending_test.cpp
   unit/solver/bending/shell_test.cpp
