@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "post/post.hpp"
 #include "post/report/part_json.hpp"
 #include "tests/support/command_folder.hpp"
 
