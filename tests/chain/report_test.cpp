@@ -107,7 +107,8 @@ TEST_F(Report, SaysTheNumbersOfTheRunAndItsFields) {
 TEST_F(Report, ChartsGoOverTheTravelInWords) {
   must("weaveform run tiny.toml --output done --quiet");
   must("weaveform post report done --quiet");
-  for (const auto& chart : data("done/report.html")["charts"]) {
+  const json page = data("done/report.html");
+  for (const auto& chart : page["charts"]) {
     EXPECT_FALSE(says(chart["x"]["title"].get<std::string>(), "_")) << chart["x"]["title"];
     EXPECT_FALSE(says(chart["y"]["title"].get<std::string>(), "_")) << chart["y"]["title"];
     EXPECT_FALSE(chart["series"].empty()) << chart["id"];

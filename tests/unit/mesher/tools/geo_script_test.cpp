@@ -115,7 +115,7 @@ TEST(GeoScript, ScriptsOfAnyBytesEndSoon) {
   for (unsigned seed = 0; seed < (test::instrumented ? 200 : 2000); ++seed)
     (void)script_complaint(test::damaged(sound, seed));
   std::string nested, fields;
-  for (int k = 0; k < 200000; ++k) nested += "Printf(", fields += "Field[";
+  for (int k = 0; k < (test::instrumented ? 20000 : 200000); ++k) nested += "Printf(", fields += "Field[";
   EXPECT_NE(script_complaint(nested), "");
   (void)script_complaint(fields);
 }
