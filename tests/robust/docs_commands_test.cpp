@@ -94,10 +94,12 @@ void give_examples(const fs::path& folder) {
   }
   fs::copy(examples, folder / "examples", fs::copy_options::recursive);
   static const std::regex blank(R"(\n\[blank\]\n)"), coarsening(R"(\ncoarsening = [^\n]*)");
+  static const std::regex levels(R"((\n"?blank\.coarsening"? = )\[8, [^\]]*\])");  // of a study
   for (const auto& entry : fs::recursive_directory_iterator(folder / "examples")) {
     if (entry.path().extension() != ".toml" || entry.path().stem() == "cantilever_pw")
       continue;  // a strip of few yarns
-    const std::string text = std::regex_replace("\n" + read_text(entry.path()), coarsening, "");
+    std::string text = std::regex_replace("\n" + read_text(entry.path()), coarsening, "");
+    text = std::regex_replace(text, levels, "$1[8, 6, 4]");
     weaveform::test::write_text(std::regex_replace(text, blank, "\n[blank]\ncoarsening = 4\n"), entry.path());
   }
 }
