@@ -17,7 +17,7 @@ Polynomial three_roots() {
 }
 
 TEST(Polynomial, SignChangesAreTheRootsOfItsFactors) {
-  const auto roots = sign_changes(three_roots(), -infinity, unbounded);
+  const auto roots = sign_changes(three_roots(), -unbounded, unbounded);
   ASSERT_EQ(roots.size(), 3U);
   // Coefficients and roots are a few units large: some units of the last place.
   EXPECT_NEAR(roots[0], -2.0, 1e-14);
@@ -47,8 +47,8 @@ TEST(Polynomial, RangeFindsTurningPointsInside) {
 
 TEST(Polynomial, RangeIsUnboundedWhereThePolynomialIs) {
   EXPECT_EQ(range_of({1, 0, 2}, 0.0, unbounded)[1], unbounded);
-  EXPECT_EQ(range_of({1, 0, 0, 2}, -infinity, 0.0)[0], -infinity);
-  EXPECT_EQ(range_of({3}, -infinity, unbounded)[1], 3.0);
+  EXPECT_EQ(range_of({1, 0, 0, 2}, -unbounded, 0.0)[0], -unbounded);
+  EXPECT_EQ(range_of({3}, -unbounded, unbounded)[1], 3.0);
 }
 
 TEST(Polynomial, NegativeIntervalsLieBetweenRoots) {
