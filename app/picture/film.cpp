@@ -1,19 +1,13 @@
 #include "app/picture/film.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/files/files.hpp"
 #include "core/files/text_words.hpp"
+#include "core/guard/run_program.hpp"
 
 namespace weaveform {
 namespace {
@@ -33,33 +27,14 @@ std::vector<std::string> words_for(const std::filesystem::path& pattern, const s
   return words;
 }
 
-std::string last_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  text.erase(0, text.rfind('\n') + 1);
-  return text.empty() ? "no reason given" : text;
-}
-
 }  // namespace
 
 void make_film(const std::filesystem::path& pattern, const std::filesystem::path& film) {
-  std::vector<std::string> words = words_for(pattern, film);
-  std::vector<char*> call;
-  for (std::string& word : words) call.push_back(word.data());
-  call.push_back(nullptr);
-  const std::filesystem::path said = pattern.parent_path() / "ffmpeg.log";
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, call[0], &files, nullptr, call.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (failure == ENOENT)
-    throw FileError("no film without ffmpeg, which is not on the PATH; install it (Debian: apt-get install ffmpeg)");
-  if (failure != 0) throw FileError(fmt::format("ffmpeg cannot be started ({})", std::strerror(failure)));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw FileError(fmt::format("{}: ffmpeg made no film: {}", film.string(), last_line(read_text_file(said))));
+  const std::string purpose = "no film can be made";
+  const ProgramEnd end = run_program(words_for(pattern, film), "", purpose, "ffmpeg");
+  if (end.signal != 0) throw FileError(fmt::format("{}: ffmpeg was ended by signal {}", purpose, end.signal));
+  if (end.exit_code != 0)
+    throw FileError(fmt::format("{}: {}: ffmpeg said: {}", purpose, film.string(), end.complaint));
 }
 
 }  // namespace weaveform

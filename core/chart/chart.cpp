@@ -11,21 +11,6 @@
 namespace weaveform {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : chart_text(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 // By which a later run knows that the file may be overwritten.
 constexpr const char* own_mark = "<!-- Written by weaveform -->\n";
 
@@ -41,7 +26,7 @@ std::string with_titles(const std::string& svg, const std::string& title, const 
     const std::string name = svg.substr(begin, end - begin);
     out += svg.substr(done, begin - done);
     const std::size_t number = name.starts_with(plot) ? std::stoul(name.substr(plot.size())) : 0;
-    out += escaped(number == 0 ? title : number <= labels.size() ? labels[number - 1] : "");
+    out += xml_text(number == 0 ? title : number <= labels.size() ? labels[number - 1] : "");
     done = end;
   }
   return out + svg.substr(done);
@@ -81,11 +66,11 @@ std::string to_html(const std::string& title, const std::vector<Chart>& charts) 
       "<style>body{{font-family:sans-serif;max-width:70em;margin:2em auto;padding:0 1em}}"
       "figure{{margin:2em 0}}svg{{max-width:100%;height:auto}}figcaption{{color:#404040;max-width:50em}}</style>\n"
       "</head>\n<body>\n<h1>{0}</h1>\n",
-      escaped(title), own_mark);
+      xml_text(title), own_mark);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::string svg = to_svg(charts[i]);
     page += fmt::format("<figure>\n{}", with_own_ids(svg.substr(svg.find("<svg")), fmt::format("chart{}_", i + 1)));
-    if (!charts[i].caption.empty()) page += fmt::format("<figcaption>{}</figcaption>\n", escaped(charts[i].caption));
+    if (!charts[i].caption.empty()) page += fmt::format("<figcaption>{}</figcaption>\n", xml_text(charts[i].caption));
     page += "</figure>\n";
   }
   return page + "</body>\n</html>\n";

@@ -229,6 +229,21 @@ std::string chart_text(const std::string& text) {
   return clean;
 }
 
+std::string xml_text(const std::string& text) {
+  std::string out;
+  for (const char c : chart_text(text)) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else
+      out += c;
+  }
+  return out;
+}
+
 std::string gnuplot_quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : chart_text(text)) {

@@ -20,7 +20,10 @@ struct ChartScript {
 // The text as a chart shows it: control characters become blanks, what is not UTF-8 or not allowed in XML U+FFFD.
 [[nodiscard]] std::string chart_text(const std::string& text);
 
-// That as gnuplot's double-quoted string. All but letters, digits and plain punctuation is written in octal, so that
+// That in an element of XML or HTML.
+[[nodiscard]] std::string xml_text(const std::string& text);
+
+// chart_text as gnuplot's double-quoted string. All but letters, digits and plain punctuation is written in octal, so that
 // gnuplot finds nothing in it to substitute.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);
 

@@ -33,4 +33,12 @@ void MeshCells::add(const std::vector<int>& its_node, const std::vector<Vec2>& i
   lattice.push_back(its_lattice);
 }
 
+Vec3 cell_centre(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
+  Vec3 centre = {0.0, 0.0, 0.0};
+  const int from = cells.offset[cell], to = cells.offset[cell + 1];
+  for (int k = from; k < to; ++k)
+    for (std::size_t c = 0; c < 3; ++c) centre[c] += position[cells.node[k]][c] / (to - from);
+  return centre;
+}
+
 }  // namespace weaveform

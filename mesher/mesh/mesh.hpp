@@ -80,6 +80,9 @@ struct MeshCells {
   [[nodiscard]] std::string check(int nodes) const;
 };
 
+// The mean of a cell's corners.
+[[nodiscard]] Vec3 cell_centre(const MeshCells& cells, int cell, const std::vector<Vec3>& position);
+
 // Nodes that follow two others: x = (1 - share) x_a + share x_b. The solver gives their forces and mass to those two.
 //   0 <= share <= 1  the end of an arm on a frame member between two corners
 //   share < 0        a free yarn end, which stays in line with its yarn: a is its crossing, b the crossing before

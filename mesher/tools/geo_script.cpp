@@ -41,6 +41,7 @@ public:
 
   std::string geometry() {
     split();
+    pair_brackets();
     for (std::size_t k = 0; k < token_.size(); ++k) look_at(k);
     if (!complaints_.empty()) throw InputError(complaints_);
     return std::move(kept_);
@@ -131,14 +132,21 @@ private:
     return k < token_.size() && token_[k].kind != Kind::string && token_[k].text == text;
   }
 
-  // The place after the bracket that closes the one at k; that of the bracket itself when none does within reach.
-  [[nodiscard]] std::size_t after_brackets(std::size_t k) const {
-    int depth = 0;
-    for (std::size_t n = k; n < std::min(token_.size(), k + farthest_bracket); ++n) {
-      if (is(n, "(") || is(n, "[") || is(n, "{")) ++depth;
-      if ((is(n, ")") || is(n, "]") || is(n, "}")) && --depth == 0) return n + 1;
+  void pair_brackets() {
+    after_.assign(token_.size(), 0);
+    std::vector<std::size_t> open;
+    for (std::size_t n = 0; n < token_.size(); ++n) {
+      if (is(n, "(") || is(n, "[") || is(n, "{")) open.push_back(n);
+      if (open.empty() || !(is(n, ")") || is(n, "]") || is(n, "}"))) continue;
+      after_[open.back()] = n + 1;
+      open.pop_back();
     }
-    return k;
+  }
+
+  // The place after the bracket that closes the one at k; k itself where there is none, or none that closes within reach.
+  [[nodiscard]] std::size_t after_brackets(std::size_t k) const {
+    const std::size_t after = k < after_.size() ? after_[k] : 0;
+    return after != 0 && after - k <= farthest_bracket ? after : k;
   }
 
   // What may be assigned to an option is a number: a text names files and programs.
@@ -196,6 +204,7 @@ private:
   const std::string& file_;
   std::string kept_;
   std::vector<Token> token_;
+  std::vector<std::size_t> after_;  // of an opening bracket, the place after the one that closes it; else 0
   std::vector<std::string> complaints_;
 };
 

@@ -8,15 +8,9 @@ namespace weaveform {
 namespace {
 
 void find_greatest_angle(const Mesh& mesh, const Fields& fields, Forming& forming) {
-  for (int c = 0; c < mesh.cells.size(); ++c) {
-    // of cells that are equal but for rounding (a symmetric part) the first
-    if (std::abs(fields.shear_angle[c]) <= std::abs(forming.greatest_angle) + 1e-9) continue;
-    forming.greatest_angle = fields.shear_angle[c];
-    forming.greatest_angle_at.setZero();
-    const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
-    for (int a = begin; a < end; ++a)
-      forming.greatest_angle_at += vector_of(fields.position[mesh.cells.node[a]]) / (end - begin);
-  }
+  const int most = most_sheared_cell(fields);
+  forming.greatest_angle = fields.shear_angle[most];
+  forming.greatest_angle_at = vector_of(cell_centre(mesh.cells, most, fields.position));
 }
 
 }  // namespace

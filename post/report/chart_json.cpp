@@ -1,5 +1,7 @@
 #include "post/report/chart_json.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +43,15 @@ Json chart_json(const std::string& id, const Chart& chart, bool square) {
                               {"y", thinned(series.y, thin)},
                               {"style", style_of(series.mark)}});
   }
+  for (const ChartBand& band : chart.bands)
+    for (const auto* end : {&band.low, &band.high})
+      json["series"].push_back({{"name", fmt::format("{}, {} end", band.label, end == &band.low ? "lower" : "upper")},
+                                {"x", thinned(band.x, true)},
+                                {"y", thinned(*end, true)},
+                                {"style", "dashed"}});
+  json["notes"] = Json::array();
+  for (const ChartNote& note : chart.notes)
+    json["notes"].push_back({{"x", finite(note.x)}, {"y", finite(note.y)}, {"text", note.text}});
   json["marks"] = Json::array();
   json["square"] = square;
   return json;

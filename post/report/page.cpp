@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/chart/chart_script.hpp"
 #include "core/version/version.hpp"
 #include "post/report/viewer.hpp"
 
@@ -23,26 +24,6 @@ std::string inside_script(const std::string& json) {
   return text;
 }
 
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char c : words) {
-    if (c == '<')
-      text += "&lt;";
-    else if (c == '&')
-      text += "&amp;";
-    else
-      text += c;
-  }
-  return text;
-}
-
-// As JSON would have it, without the quotes.
-std::string plain_utf8(const std::string& words) {
-  const std::string quoted =
-      nlohmann::ordered_json(words).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  return nlohmann::ordered_json::parse(quoted).get<std::string>();
-}
-
 }  // namespace
 
 std::string report_page(const nlohmann::ordered_json& data) {
@@ -52,7 +33,7 @@ std::string report_page(const nlohmann::ordered_json& data) {
   std::string page = fmt::format("{}: {} -->\n", report_mark, version_line());
   page += "<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += fmt::format("<title>{}</title>\n<style>", escaped(plain_utf8(data.value("title", ""))));
+  page += fmt::format("<title>{}</title>\n<style>", xml_text(data.value("title", "")));
   page += viewer_styles();
   page +=
       "</style>\n</head>\n<body>\n<main id=\"report\"><noscript>This report is drawn by a script that is in it; allow "

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/vector/angle.hpp"
+#include "mesher/mesh/vtu_grid.hpp"
 #include "post/report/base64.hpp"
 #include "post/report/shown_part.hpp"
 #include "solver/result/beside.hpp"
@@ -118,24 +119,29 @@ void add_fabric(std::vector<Track>& track, const ShownPart& part, const Mesh& me
   track[5].frame.push_back(on_cells(part, as_numbers(fields.folded)));
 }
 
-std::vector<double> array_of(const FrameFile& frame, const std::string& name, std::size_t count) {
-  std::vector<double> values = read_frame_array(frame.file, name);
-  if (values.size() != count)
+std::vector<double> numbers_of(const std::vector<VtuArray>& data, const FrameFile& frame, const std::string& name,
+                               std::size_t count) {
+  const VtuArray* array = find_array(data, name);
+  if (array == nullptr || array->size() != count)
     throw InputError(fmt::format("{}: '{}' has {} values where the mesh beside it asks for {}; solve again",
-                                 frame.file.string(), name, values.size(), count));
-  return values;
+                                 frame.file.string(), name, array == nullptr ? 0 : array->size(), count));
+  std::vector<double> numbers(count);
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = array->as_double(k);
+  return numbers;
 }
 
 // Contact is the solver's and stands in the frames; its arrays on cells hold the lines' values first.
 void add_contact(std::vector<Track>& track, std::size_t at, const ShownPart& part, const Mesh& mesh,
                  const FrameFile& frame) {
+  const VtuGrid grid = read_vtu(
+      frame.file, std::vector<std::string>{"contact_pressure_MPa", "contact_tool", "friction_state"}, "solve again");
   const auto nodes = static_cast<std::size_t>(mesh.node_count());
-  std::vector<double> pressure =
-      array_of(frame, "contact_pressure_MPa", static_cast<std::size_t>(mesh.yarn_count() + mesh.cells.size()));
+  std::vector<double> pressure = numbers_of(grid.cell_data, frame, "contact_pressure_MPa",
+                                            static_cast<std::size_t>(mesh.yarn_count() + mesh.cells.size()));
   pressure.erase(pressure.begin(), pressure.begin() + mesh.yarn_count());
   track[at].frame.push_back(on_cells(part, pressure));
-  track[at + 1].frame.push_back(on_nodes(part, array_of(frame, "contact_tool", nodes)));
-  track[at + 2].frame.push_back(on_nodes(part, array_of(frame, "friction_state", nodes)));
+  track[at + 1].frame.push_back(on_nodes(part, numbers_of(grid.point_data, frame, "contact_tool", nodes)));
+  track[at + 2].frame.push_back(on_nodes(part, numbers_of(grid.point_data, frame, "friction_state", nodes)));
 }
 
 // Wrinkles are found in the last frame alone.

@@ -14,22 +14,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Greatest {
-  std::size_t cell = 0;
+  int cell = 0;
   double angle = 0.0;  // deg
   Vec3 at = {0.0, 0.0, 0.0};
 };
 
 Greatest greatest_angle(const Mesh& mesh, const Fields& end) {
-  Greatest greatest;
-  for (std::size_t c = 0; c < end.shear_angle.size(); ++c) {
-    const double angle = std::abs(end.shear_angle[c]) * degrees_per_radian;
-    if (angle > greatest.angle) greatest.cell = c, greatest.angle = angle;
-  }
-  const int from = mesh.cells.offset[greatest.cell], to = mesh.cells.offset[greatest.cell + 1];
-  for (int k = from; k < to; ++k)
-    greatest.at =
-        plus(greatest.at, scaled(end.position[static_cast<std::size_t>(mesh.cells.node[k])], 1.0 / (to - from)));
-  return greatest;
+  const int cell = most_sheared_cell(end);
+  return {cell, std::abs(end.shear_angle[static_cast<std::size_t>(cell)]) * degrees_per_radian,
+          cell_centre(mesh.cells, cell, end.position)};
 }
 
 Json row(const std::string& name, const std::string& value, const std::string& note = "") {
@@ -40,10 +33,9 @@ std::string percent(double share) {
   return fmt::format("{:.3g} %", 100.0 * share);
 }
 
-// With its card's range: "52.9°, within the 60° that the card holds to".
 std::string angle_words(double greatest, const Card& card) {
   const double limit = card.shear.valid_to_deg;
-  return fmt::format("greatest shear angle {:.1f}°, {} the {:g}° to which the card's shear law is meant to hold",
+  return fmt::format("Greatest shear angle {:.1f}°, {} the {:g}° to which the card's shear law is meant to hold",
                      greatest, greatest <= limit ? "within" : "beyond", limit);
 }
 
@@ -72,7 +64,6 @@ std::string headline(const Summary& summary, const Card& card, double greatest) 
   std::string words = angle_words(greatest, card);
   for (const std::string& part : {wrinkle_words(summary), force_words(summary)})
     if (!part.empty()) words += "; " + part;
-  words[0] = 'G';
   return words + ".";
 }
 
@@ -137,11 +128,8 @@ Json trust_of(ResultFolder& folder, const Summary& summary) {
   Json trust = Json::array();
   trust.push_back(
       "Yarns are pinned at their crossings and cannot slide over one another. Against the measured bias extensions of "
-      "the "
-      "international benchmark (Cao et al. 2008), shear laws from a shear frame over-predict the load 1.4 to 6.4 "
-      "times, a "
-      "shear law from one laboratory's bias extension predicts another's within 13 %. Angles depend on this far less "
-      "than loads.");
+      "the international benchmark (Cao et al. 2008), shear laws from a shear frame over-predict the load 1.4 to 6.4 "
+      "times, a shear law from one laboratory's bias extension predicts another's within 13 %.");
   trust.push_back(fmt::format(
       "One run does not know the error of its mesh: 'weaveform run --accuracy 2%' or a study of coarsenings tells it. "
       "This "

@@ -7,18 +7,6 @@
 #include "post/trust/borders.hpp"
 
 namespace weaveform {
-namespace {
-
-Vec3 centre_of(const Mesh& mesh, std::size_t cell) {
-  Vec3 sum = {0.0, 0.0, 0.0};
-  const int from = mesh.cells.offset[cell], to = mesh.cells.offset[cell + 1];
-  for (int k = from; k < to; ++k)
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += mesh.flat_positions()[mesh.cells.node[k]][c] / (to - from);
-  return sum;
-}
-
-}  // namespace
-
 void warn_of_shear_beyond_card(const FinishedRun& run, Warnings& warnings) {
   const double limit = run.card.shear.valid_to_deg;
   double greatest = 0.0;  // deg
@@ -32,7 +20,7 @@ void warn_of_shear_beyond_card(const FinishedRun& run, Warnings& warnings) {
     most = c;
   }
   if (beyond == 0) return;
-  const Vec3 place = centre_of(run.mesh, most);
+  const Vec3 place = cell_centre(run.mesh.cells, static_cast<int>(most), run.mesh.flat_positions());
   warnings.push_back(fmt::format(
       "{} of {} cells are sheared beyond the {:g} degrees to which the card's shear law is meant to hold, up to {:.3g} "
       "degrees in cell {} at ({:.4g}, {:.4g}, {:.4g}) mm of the flat blank; form less, or give the card a shear law "

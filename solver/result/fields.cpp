@@ -206,4 +206,12 @@ Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model
   return fields;
 }
 
+int most_sheared_cell(const Fields& fields) {
+  constexpr double rounding = 1e-9;  // rad
+  std::size_t most = 0;
+  for (std::size_t c = 1; c < fields.shear_angle.size(); ++c)
+    if (std::abs(fields.shear_angle[c]) > std::abs(fields.shear_angle[most]) + rounding) most = c;
+  return static_cast<int>(most);
+}
+
 }  // namespace weaveform

@@ -33,6 +33,9 @@ struct Fields {
 [[nodiscard]] Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,
                                     const std::vector<Vec3>& position);
 
+// The cell of the greatest |shear angle|; of cells that are equal but for rounding (a symmetric part) the first.
+[[nodiscard]] int most_sheared_cell(const Fields& fields);
+
 // The plane of a blank that starts planar; `normal` is 0 when it does not.
 struct BlankPlane {
   Vec3 origin = {0.0, 0.0, 0.0};  // mm

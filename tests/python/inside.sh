@@ -3,18 +3,15 @@
 # weaveform._inside over them as anybody would (python/bindings), and tests it against PROGRAM; OPTIONS go to pytest. Exit
 # code 77: skipped, what it cannot do without is not installed.
 set -eu
-python=/usr/bin/python3
-[ -x $python ] || python=python3
 here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../support/debian_python.sh"
 WEAVEFORM=$1 tree=$2 compiler=$3
 shift 3
-for module in numpy vtkmodules.vtkIOXML pytest; do
-  "$python" -c "import $module" 2>/dev/null || { echo "skipped: $python has no $module"; exit 77; }
-done
+need_modules numpy vtkmodules.vtkIOXML pytest
 headers=$("$python" -c "import sysconfig; print(sysconfig.get_path('include'))")
 for header in Python.h pybind11/pybind11.h; do
   echo "#include <$header>" | "$compiler" -std=c++20 -I"$headers" -E -x c++ -o /dev/null - 2>/dev/null ||
-    { echo "skipped: no $header (Debian: python3-dev, pybind11-dev)"; exit 77; }
+    skip "no $header (Debian: python3-dev, pybind11-dev)"
 done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -26,5 +23,5 @@ trap 'rm -rf "$folder"' EXIT
       -DCMAKE_PREFIX_PATH="$folder/library" -DCMAKE_INSTALL_PREFIX="$folder/site" &&
     cmake --build "$folder/build" --parallel 1 && cmake --install "$folder/build"
 } >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
-export WEAVEFORM PYTHONPATH="$folder/site" PYTHONDONTWRITEBYTECODE=1 PYTHONNOUSERSITE=1 WEAVEFORM_INSIDE_BUILT=1
+export WEAVEFORM PYTHONPATH="$folder/site" WEAVEFORM_INSIDE_BUILT=1
 "$python" -m pytest -q -p no:cacheprovider "$here/test_inside.py" "$@"

@@ -2,13 +2,10 @@
 # run.sh PROGRAM [OPTIONS]: the tests of the Python package against PROGRAM; OPTIONS go to pytest. Exit code 77: skipped,
 # what they cannot do without is not installed.
 set -eu
-python=/usr/bin/python3
-[ -x $python ] || python=python3
 here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../support/debian_python.sh"
 WEAVEFORM=$1
 shift
-for module in numpy vtkmodules.vtkIOXML meshio pytest; do
-  "$python" -c "import $module" 2>/dev/null || { echo "skipped: $python has no $module"; exit 77; }
-done
-export WEAVEFORM PYTHONPATH="$here/../../python" PYTHONDONTWRITEBYTECODE=1 PYTHONNOUSERSITE=1
+need_modules numpy vtkmodules.vtkIOXML meshio pytest
+export WEAVEFORM PYTHONPATH="$here/../../python"
 exec "$python" -m pytest -q -p no:cacheprovider "$here" "$@"

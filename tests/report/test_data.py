@@ -90,12 +90,16 @@ def test_labels_of_a_crowded_chart_are_apart(opened, tmp_path):
          "marks": [{"x": 50, "label": "greatest angle"}, {"x": 52, "label": "card's range ends"}, {"x": 53, "label": "locking angle"}]},
         {"id": "log", "title": "", "x": {"title": "time (s)", "log": True}, "y": {"title": "error (%)", "log": True},
          "series": [{"name": "a", "x": [0.02, 0.03, None], "y": [1e-5, 2e4, 1], "style": "points"}, {"name": "b", "x": [0.02], "y": [0], "style": "dashed"}],
-         "marks": [{"x": 0.021, "label": "first"}]},
+         "marks": [{"x": 0.021, "label": "first"}],
+         "notes": [{"x": 0.022, "y": 3.0, "text": "coarsening 4"}, {"x": 0.0221, "y": 3.1, "text": "coarsening 2, beams"}]},
     ]
     page = opened(glue(data, tmp_path / "page.html"))
     assert page.script("report.troubles") == []
     assert page.labels_in_the_way("crowded") == []
     assert page.labels_in_the_way("log") == []
+    words = page.script("[...document.querySelectorAll('#chart-log svg text')]"
+                        ".filter((text) => text.getAttribute('fill-opacity') !== '0').map((text) => text.textContent)")
+    assert "coarsening 4" in words and "coarsening 2, beams" in words
 
 
 def test_names_on_nodes_are_not_mixed_within_a_cell(opened, tmp_path):

@@ -3,6 +3,7 @@ set(UNIT_POST_SOURCES
   unit/post/convergence/convergence_test.cpp
   unit/post/dic/dic_comparison_test.cpp
   unit/post/dic/dic_instrument_test.cpp
+  unit/post/dic/dic_matrix_test.cpp
   unit/post/dic/dic_readers_test.cpp
   unit/post/dic/dic_settings_form_test.cpp
   unit/post/forming/forming_test.cpp

@@ -185,6 +185,32 @@ function seriesOf(series, index, chart, interactive) {
   };
 }
 
+// Words beside points, each at the first place, right, left, above or below its point and further off, that lies within the
+// axes and on no earlier one.
+function placeNotes(room) {
+  let placed = [], last = -1;
+  const free = (box) => !placed.some((each) => Math.abs(each.x - box.x) < (each.width + box.width) / 2 && Math.abs(each.y - box.y) < (each.height + box.height) / 2);
+  const within = ({ x, y, width, height }) =>
+    x - width / 2 >= room.left && x + width / 2 <= room.left + room.width && y - height / 2 >= room.top && y + height / 2 <= room.top + room.height;
+  return ({ dataIndex, rect, labelRect }) => {
+    if (dataIndex <= last) placed = [];
+    last = dataIndex;
+    const { width, height } = labelRect, x = rect.x + rect.width / 2, y = rect.y + rect.height / 2, aside = width / 2 + 7, gap = height + 2;
+    const places = [0, 1, 2, 3].flatMap((far) => [[aside, -far * gap], [-aside, -far * gap], [aside, far * gap], [-aside, far * gap], [0, -(far + 1) * gap], [0, (far + 1) * gap]])
+      .map(([right, down]) => ({ x: x + right, y: y + down, width, height }));
+    const place = places.find((each) => free(each) && within(each)) ?? places.find(free) ?? places[0];
+    placed.push(place);
+    return { x: place.x, y: place.y, align: 'center', verticalAlign: 'middle' };
+  };
+}
+
+function noteSeries({ notes = [] }, room) {
+  const data = notes.filter(({ x, y }) => isNumber(x) && isNumber(y)).map(({ x, y, text }) => ({ value: [x, y], name: text }));
+  if (!data.length) return [];
+  const label = { show: true, formatter: ({ name }) => name, color: ink, fontSize: 11, fontFamily: font.family };
+  return [{ type: 'scatter', name: '', data, symbolSize: 1, itemStyle: { color: 'transparent' }, silent: true, animation: false, tooltip: { show: false }, label, labelLayout: placeNotes(room) }];
+}
+
 // A legend entry; lines with symbols are drawn by ECharts as they are.
 function legendEntry({ name, style, x }) {
   const plain_line = style !== 'bars' && style !== 'points' && (x?.length ?? 0) > few;
@@ -226,7 +252,7 @@ export function chartOption(chart, { width = 560, height = 380, interactive = tr
   const room = { left, top, width: width - left - 26, height: height - top - 54 };
   const square = chart.square ? squareFrame(chart, room) : null;
   const lines = markLines(chart, room.width);
-  const series = chart.series.map((each, i) => seriesOf(each, i, chart, interactive));
+  const series = [...chart.series.map((each, i) => seriesOf(each, i, chart, interactive)), ...noteSeries(chart, room)];
   if (lines && series.length) series[0].markLine = lines;
   const x = { ...axisOf(chart, 'x', 30), ...square?.x };
   // a mark beyond the data is still to be seen

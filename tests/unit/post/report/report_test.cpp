@@ -138,6 +138,17 @@ TEST(ChartJson, ThinsLinesButKeepsTheirEndsAndLeavesGaps) {
   EXPECT_TRUE(json["series"][0]["y"].back().is_null());
 }
 
+TEST(ChartJson, KeepsNotesAndTheEndsOfBands) {
+  Chart chart{.title = "t"};
+  chart.bands.push_back({.label = "border", .x = {1.0, 2.0}, .low = {3.0, 4.0}, .high = {5.0, 6.0}});
+  chart.notes.push_back({"coarsening 4", 1.5, 4.5});
+  const auto json = chart_json("id", chart);
+  ASSERT_EQ(json["series"].size(), 2U);
+  EXPECT_EQ(json["series"][0]["name"], "border, lower end");
+  EXPECT_EQ(json["series"][1]["y"], (std::vector<double>{5.0, 6.0}));
+  EXPECT_EQ(json["notes"][0]["text"], "coarsening 4");
+}
+
 TEST(ReportPage, NoTextOfTheDataEndsTheScript) {
   const std::string evil = "</script><script>alert(1)</script><!-- & \xff";
   const std::string page = report_page({{"title", evil}, {"text", evil}});
