@@ -18,7 +18,7 @@ constexpr std::array zone_title = {"A  centre", "B  half shear", "C  at grips"};
 constexpr int travel_column = 12;  // characters; of the table over the travel, whose headings are names
 
 // A number at the right of a column; "-" where there is none (a zone without cells, an ideal past 90 deg).
-std::string number(double value, int decimals = 2, int width = 10) {
+std::string aligned(double value, int decimals = 2, int width = 10) {
   return std::isfinite(value) ? fmt::format("{:{}.{}f}", value, width, decimals) : fmt::format("{:>{}}", "-", width);
 }
 
@@ -61,8 +61,8 @@ std::string measure_lines(const std::vector<MeasureSummary>& measures) {
   std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}{:>10}   shear angle at the end, deg\n", "measure", width,
                                  "mean", "sd", "min", "max");
   for (const MeasureSummary& m : measures)
-    text += fmt::format("{:<{}}{}{}{}{}\n", m.name, width, number(m.mean), number(m.sd), number(m.least),
-                        number(m.greatest));
+    text += fmt::format("{:<{}}{}{}{}{}\n", m.name, width, aligned(m.mean), aligned(m.sd), aligned(m.least),
+                        aligned(m.greatest));
   return text;
 }
 
@@ -81,8 +81,8 @@ std::string grip_lines(const Summary& summary) {
   std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}   along its direction\n", "grip", width, "travel mm",
                                  "end N", "largest N");
   for (const GripSummary& g : summary.grip)
-    text += fmt::format("{:<{}}{}{}{}\n", g.name, width, number(g.displacement), number(g.force, 3),
-                        number(g.largest_force, 3));
+    text += fmt::format("{:<{}}{}{}{}\n", g.name, width, aligned(g.displacement), aligned(g.force, 3),
+                        aligned(g.largest_force, 3));
   if (summary.bias && !summary.bias->row.empty()) {
     const BiasRow& end = summary.bias->row.back();
     text += load_difference(end.load[0], end.load[1]);
@@ -98,8 +98,8 @@ std::string tool_lines(const Summary& summary) {
   std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}{:>12}   N along\n", "tool", width, "travel mm", "end N",
                                  "largest N", "contact mm2");
   for (const ToolSummary& tool : summary.tool) {
-    text += fmt::format("{:<{}}{}{}{}{:>12.0f}   {}", tool.motion.name, width, number(tool.motion.displacement),
-                        number(tool.motion.force, 3), number(tool.motion.largest_force, 3), tool.contact_area,
+    text += fmt::format("{:<{}}{}{}{}{:>12.0f}   {}", tool.motion.name, width, aligned(tool.motion.displacement),
+                        aligned(tool.motion.force, 3), aligned(tool.motion.largest_force, 3), tool.contact_area,
                         tool.at_rest ? "its axis, at rest" : "its motion");
     if (const auto& f = tool.whole_force; f)
       text += fmt::format("; x, y, z at the end {:.3f}, {:.3f}, {:.3f} N", (*f)[0], (*f)[1], (*f)[2]);
@@ -121,9 +121,9 @@ std::string zone_lines(const BiasComparison& bias) {
       bias.specimen.width, bias.specimen.length, "zone", "cells", "mean", "sd", "ideal");
   for (std::size_t z = 0; z < zone_title.size(); ++z)
     text += fmt::format("{:<16}{:>10}{}{}{}\n", zone_title[z], bias.simulated[z].cells,
-                        number(bias.simulated[z].mean * degrees_per_radian),
-                        number(bias.simulated[z].sd * degrees_per_radian),
-                        number(bias.ideal_angle[z] * degrees_per_radian));
+                        aligned(bias.simulated[z].mean * degrees_per_radian),
+                        aligned(bias.simulated[z].sd * degrees_per_radian),
+                        aligned(bias.ideal_angle[z] * degrees_per_radian));
   return text;
 }
 
@@ -134,7 +134,7 @@ std::string heading(const std::string& name, const std::string& unit) {
 }
 
 std::string travel_lines(const BiasComparison& bias, const std::vector<MeasureSummary>& measures) {
-  const auto column = [](double value, int decimals) { return number(value, decimals, travel_column); };
+  const auto column = [](double value, int decimals) { return aligned(value, decimals, travel_column); };
   std::string text = fmt::format("\n{}", heading("travel", "mm"));
   for (const MeasureSummary& m : measures) text += heading(m.name, "deg");
   text += heading("ideal", "deg");

@@ -37,10 +37,10 @@ private:
   test::TemporaryFolder folder_;
 };
 
-const std::string ball = "SetFactory(\"OpenCASCADE\");\nSphere(1) = {0, 0, 0, 30};\n";
+const std::string ball_script = "SetFactory(\"OpenCASCADE\");\nSphere(1) = {0, 0, 0, 30};\n";
 
 TEST_F(SurfaceFile, AToleranceIsOfMillimetresWhateverTheFilesUnit) {
-  const FileSurface mm = read_surface(file("ball.geo", ball), {1.0, 0.2, ""});
+  const FileSurface mm = read_surface(file("ball.geo", ball_script), {1.0, 0.2, ""});
   const FileSurface m = read_surface(file("small.geo", "SetFactory(\"OpenCASCADE\");\nSphere(1) = {0, 0, 0, 0.03};\n"),
                                      {1000.0, 0.2, ""});
   EXPECT_NEAR(inspect(m.list).extent(), 60.0, 0.5);
@@ -56,7 +56,7 @@ TEST_F(SurfaceFile, AUnitForAFileThatNamesItsOwnIsAnError) {
 }
 
 TEST_F(SurfaceFile, TheToleranceLeftOpenIsAHundredthOfACell) {
-  const fs::path part = file("ball.geo", ball);
+  const fs::path part = file("ball.geo", ball_script);
   const auto triangles = [](const Scene& scene, double cell) {
     return make_tools(scene, 0.5, cell).front().surface->size();
   };
@@ -70,7 +70,7 @@ TEST_F(SurfaceFile, TheToleranceLeftOpenIsAHundredthOfACell) {
 TEST_F(SurfaceFile, CadIsReadOnceForAllWhoAsk) {
   int readings = 0;
   watch_cad_reading([&](const fs::path&, double fraction) { readings += fraction == 1.0 ? 1 : 0; });
-  const fs::path part = file("once.geo", ball + "// once\n");
+  const fs::path part = file("once.geo", ball_script + "// once\n");
   const Scene asks = scene(part);
   (void)make_tools(asks, 0.5);
   (void)make_tools(asks, 0.5);
