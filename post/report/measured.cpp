@@ -13,7 +13,7 @@
 #include "mesher/mesh/vtu_grid.hpp"
 #include "post/dic/comparison/compare.hpp"
 #include "post/report/base64.hpp"
-#include "post/report/chart_json.hpp"
+#include "core/chart/chart_json.hpp"
 
 namespace weaveform {
 namespace {

@@ -1,8 +1,8 @@
 // The section with the charts.
-import { chartOption } from './chart_option.js';
+import { chartOption } from '../../../../core/chart/echarts/chart_option.js';
 import { saveText, savePngOfSvg } from './download.js';
-import { init } from './echarts_parts.js';
 import { h, section } from './elements.js';
+import { init } from './moving_charts.js';
 
 /** The chart's series as a table: x and y of each beside one another. */
 export function chartCsv(chart) {
