@@ -13,6 +13,9 @@ const own_mark = '<!-- Written by weaveform -->';
 
 const escaped = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
 
+// ECharts keeps texts as keys of plain objects; without this the key "__proto__" is one like others.
+delete Object.prototype.__proto__;
+
 // Without a screen nothing measures text.
 setPlatformAPI({ measureText: (text, font) => ({ width: textWidth(text ?? '', parseFloat(font?.match(/([\d.]+)px/)?.[1] ?? '12')) }) });
 
@@ -35,9 +38,9 @@ function plainSvg(svg, title, labels, prefix) {
   };
   for (const line of svg.replace(/<style[^>]*>[^]*?<\/style>\n?/g, '').split('\n')) {
     if (is_unseen(line) || is_cover(line)) continue;
-    const series = line.startsWith('<path ') ? (line.match(/ ecmeta_series="(\d+)"/)?.[1] ?? null) : null;
+    const series = /^<(path|polygon|polyline) /.test(line) ? (line.match(/ ecmeta_series="(\d+)"/)?.[1] ?? null) : null;
     close(series !== null && labels[series] ? series : null);
-    lines.push(line.replace(/ (ecmeta_[a-z_]+|class|pointer-events|version|baseProfile|xmlns:xlink)="[^"]*"/g, '').replace(/(id="|url\(#)zr\d+-([a-z]+\d+["\)])/g, `$1${prefix}$2`));
+    lines.push(line.replace(/ (ecmeta_[a-z_]+|class|pointer-events|version|baseProfile|xmlns:xlink)="[^"]*"/g, '').replace(/( id="|="url\(#)zr\d+-/g, `$1${prefix}`));
     if (line.startsWith('<svg')) lines.push(`<title>${escaped(title)}</title>`);
   }
   close(null);

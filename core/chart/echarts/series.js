@@ -20,7 +20,7 @@ function within(value, { log, min, max }) {
 function pairsOf({ x = [], y = [] }, scales) {
   const largest = y.reduce((most, value) => (isDrawable(value) ? Math.max(most, Math.abs(value)) : most), 0);
   return x.slice(0, y.length).map((x_value, i) => {
-    const y_value = !scales.y.log && Math.abs(y[i]) < 1e-9 * largest ? 0 : y[i]; // what rounding left of a zero
+    const y_value = !scales.y.log && isDrawable(y[i]) && Math.abs(y[i]) < 1e-9 * largest ? 0 : y[i]; // what rounding left of a zero
     const has_x = scales.x.categories ? x_value !== null : isDrawable(x_value, scales.x.log);
     if (!has_x) return [null, null];
     return [scales.x.categories ? x_value : within(x_value, scales.x), isDrawable(y_value, scales.y.log) ? within(y_value, scales.y) : null];

@@ -80,7 +80,9 @@ std::string content(vtkXMLDataElement* element) {
 }
 
 Text text_of(vtkXMLDataElement* element) {
-  Text text{.words = content(element), .anchor = attribute(element, "text-anchor")};
+  Text text;
+  text.words = content(element);
+  text.anchor = attribute(element, "text-anchor");
   const std::string moved = attribute(element, "transform"), style = attribute(element, "style");
   const double right = std::strtod(attribute(element, "x").c_str(), nullptr);
   const double down = std::strtod(attribute(element, "y").c_str(), nullptr);
@@ -101,9 +103,10 @@ void look_into(vtkXMLDataElement* element, const std::string& series, Drawing& d
   if (name == "defs") return;
   if (name == "title") drawing.titles.push_back(content(element));
   if (name == "text") drawing.texts.push_back(text_of(element));
-  if (name == "path" && !series.empty())
-    drawing.series[series].push_back({attribute(element, "d"), attribute(element, "transform"),
-                                      attribute(element, "fill"), attribute(element, "stroke")});
+  if ((name == "path" || name == "polygon") && !series.empty())
+    drawing.series[series].push_back({attribute(element, name == "path" ? "d" : "points"),
+                                      attribute(element, "transform"), attribute(element, "fill"),
+                                      attribute(element, "stroke")});
   std::string own = series;
   if (auto* title = element->FindNestedElementWithName("title"); title != nullptr && name == "g") own = content(title);
   for (int i = 0; i < element->GetNumberOfNestedElements(); ++i) look_into(element->GetNestedElement(i), own, drawing);
@@ -204,8 +207,8 @@ std::vector<Place> marks_of(const Drawing& drawing, const std::string& label) {
   if (found == drawing.series.end()) return marks;
   for (const Shape& shape : found->second) {
     Place place;
-    double scale = 0.0;
-    if (std::sscanf(shape.transform.c_str(), "matrix(%lf,0,0,%*lf,%lf,%lf)", &scale, &place.x, &place.y) == 3)
+    double across = 0.0, down = 0.0;
+    if (std::sscanf(shape.transform.c_str(), "matrix(%lf,0,0,%lf,%lf,%lf)", &across, &down, &place.x, &place.y) == 4)
       marks.push_back(place);
   }
   return marks;
@@ -362,7 +365,7 @@ TEST_F(DrawnChart, TextsOfAnyLengthAndNumberFit) {
   const auto svgs = to_svgs(charts);
   for (const std::string& svg : svgs) expect_readable(seen(svg));
   EXPECT_EQ(count_of(seen(svgs[1]), charts[1].title), 6) << "two series of one label stay two";
-  EXPECT_EQ(count_of(svgs[4], "<title>" + charts[4].title + "</title>"), 3U) << "told in full when pointed at";
+  EXPECT_EQ(count_of(svgs[4], "<title>" + charts[4].title + "</title>"), 5U) << "told in full when pointed at";
   const Drawing crowded = seen(svgs.back());
   for (const auto& series : crowd.series) EXPECT_EQ(count_of(crowded, series.label), 1) << series.label;
   EXPECT_GT(crowded.height, crowd.height) << "the legend comes on top";

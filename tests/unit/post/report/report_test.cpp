@@ -7,7 +7,6 @@
 #include "core/vector/vector.hpp"
 #include "post/forming/tools_near.hpp"
 #include "post/report/base64.hpp"
-
 #include "post/report/page.hpp"
 #include "post/report/shown_part.hpp"
 #include "post/report/viewer.hpp"
