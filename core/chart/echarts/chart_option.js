@@ -15,7 +15,7 @@ const beside_labels = 38; // px: title of the y axis
 function entriesOf({ bands = [], series }) {
   return [
     ...bands.map(({ name }, i) => ({ key: keyOf('band', i), label: name })),
-    ...series.map((each, i) => ({ key: keyOf('series', i), label: each.name, line: isBareLine(each) ? (each.style ?? 'line') : null })),
+    ...series.map((each, i) => ({ key: keyOf('series', i), label: each.name, line: isBareLine(each) ? (each.style ?? 'line') : null, is_shape: each.style === 'points' })),
   ];
 }
 

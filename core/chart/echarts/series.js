@@ -94,7 +94,7 @@ export function bandOf(band, index, look, scales) {
         return { right, top, bottom: low === null ? bottom : api.coord([x, low])[1] };
       });
       const polygon = (run) => [...run.map(({ right, top }) => [right, top]), ...[...run].reverse().map((each) => [each.right, each.bottom])];
-      return { type: 'group', children: runs.map((run) => ({ type: 'polygon', shape: { points: polygon(run) }, style: { fill: colour, opacity: 0.22 } })) };
+      return { type: 'group', children: runs.filter((run) => run.length > 1).map((run) => ({ type: 'polygon', shape: { points: polygon(run) }, style: { fill: colour, opacity: 0.22 } })) };
     },
   };
 }

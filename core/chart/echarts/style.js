@@ -9,7 +9,7 @@ export const mark_colour = '#c0005a';
 // as paths, because ECharts stretches its own shapes to the legend's width; those with a hole run round it the other way
 const square = 'M0,0H9V9H0Z', triangle = 'M5,0L10,9H0Z', diamond = 'M5,0L10,5L5,10L0,5Z', downwards = 'M0,0H10L5,9Z';
 const shapes = [
-  'circle', `path://${square}`, `path://${triangle}`, `path://${diamond}`, 'emptyCircle', `path://${downwards}`,
+  'circle', `path://${square}`, `path://${triangle}`, `path://${diamond}`, 'path://M10,5A5,5 0 1 1 0,5A5,5 0 1 1 10,5ZM8,5A3,3 0 1 0 2,5A3,3 0 1 0 8,5Z', `path://${downwards}`,
   `path://${square}M2,2V7H7V2Z`, `path://${triangle}M5,3.4L2.7,7.5H7.3Z`, `path://${diamond}M5,2.5L2.5,5L5,7.5L7.5,5Z`,
 ];
 
