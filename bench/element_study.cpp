@@ -187,7 +187,6 @@ int main(int count, char** arguments) {
   std::filesystem::create_directories(folder);
   write_text_whole(folder / "closed_forms.csv", error_csv(lines));
   write_text_whole(folder / "time.csv", cost_csv(costs));
-  write_chart(folder / "error.svg", error_chart(lines));
-  write_chart(folder / "time.svg", time_chart(lines, costs));
+  write_charts({{folder / "error.svg", error_chart(lines)}, {folder / "time.svg", time_chart(lines, costs)}});
   fmt::print("{}\n{}", error_table(lines), cost_csv(costs));
 }

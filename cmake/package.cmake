@@ -22,9 +22,14 @@ file(REAL_PATH ${GMSH_LIBRARY} gmsh_file)
 execute_process(COMMAND dpkg-query --search ${gmsh_file} OUTPUT_VARIABLE gmsh_package ERROR_QUIET)
 string(REGEX REPLACE ":.*" "" CPACK_DEBIAN_PACKAGE_DEPENDS "${gmsh_package}")
 # draws the charts; a run without it says so and leaves them out. Pictures where there is no screen, and films, likewise.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "nodejs")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xvfb, xauth, ffmpeg")
 install(FILES cmake/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/weaveform COMPONENT program)
-install(FILES post/report/viewer/packed/LICENSES.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/weaveform
-  RENAME viewer-licenses.txt COMPONENT program)
+foreach(script IN ITEMS viewer=post/report/viewer chart=core/chart/echarts)
+  string(REPLACE "=" ";" script ${script})
+  list(GET script 0 name)
+  list(GET script 1 folder)
+  install(FILES ${folder}/packed/LICENSES.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/weaveform
+    RENAME ${name}-licenses.txt COMPONENT program)
+endforeach()
 include(CPack)

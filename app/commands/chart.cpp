@@ -21,8 +21,6 @@ namespace weaveform {
 
 namespace {
 
-constexpr std::ptrdiff_t colours = 7;  // of a chart; the series after them are dashed
-
 struct ChartArguments {
   std::vector<std::string> files;
   std::string x = "1", y = "2";  // column: heading or number
@@ -58,10 +56,10 @@ void draw(const ChartArguments& arguments) {
     series.y = identify::numbers_of(table, identify::column_of(table, arguments.y, "--y"));
     const auto index = std::ssize(chart.series);
     if (index < arguments.points) series.mark = ChartMark::points;
-    if (index >= colours) series.mark = ChartMark::dashed;
+    if (index >= chart_colours) series.mark = ChartMark::dashed;
     chart.series.push_back(std::move(series));
   }
-  // The chart is all that is asked for, so that no gnuplot is an error here; and an older chart must not pass for this
+  // The chart is all that is asked for, so that no node is an error here; and an older chart must not pass for this
   // one.
   require_writable(output, {arguments.files.begin(), arguments.files.end()}, arguments.force);
   std::filesystem::remove(output);
@@ -71,7 +69,7 @@ void draw(const ChartArguments& arguments) {
 }  // namespace
 
 void add_chart_command(CLI::App& program) {
-  auto* command = program.add_subcommand("chart", "Draw columns of tables over one another (SVG, HTML), by gnuplot");
+  auto* command = program.add_subcommand("chart", "Draw columns of tables over one another (SVG, HTML), by node");
   const auto arguments = std::make_shared<ChartArguments>();
   command->add_option("FILE", arguments->files, "Tables: CSV, or columns between blanks; each is a series, in order")
       ->required();

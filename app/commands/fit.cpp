@@ -4,10 +4,13 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/stages/output_folder.hpp"
+#include "core/chart/chart.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/json/json_text.hpp"
@@ -80,12 +83,14 @@ void fit(const FitArguments& arguments) {
     write_text_whole(directory / kept_card, replaced);
     log_line(fmt::format("the card that is replaced is kept as {}", (directory / kept_card).string()));
   }
+  std::vector<std::pair<std::filesystem::path, Chart>> charts;
   for (const auto& output : outputs) {
     if (output.chart)
-      write_chart(directory / output.name, *output.chart);
+      charts.emplace_back(directory / output.name, *output.chart);
     else
       write_text_whole(directory / output.name, output.text);
   }
+  write_charts(charts);
   if (arguments.quiet) return;
   print_answer(arguments.json ? json_text(identify::fit_json(found)) : identify::summary_markdown(found));
   log_line(fmt::format("card: {}, report: {}", (directory / "card.toml").string(), (directory / "report.md").string()));

@@ -53,8 +53,8 @@ void unit_cell(const UnitCellArguments& arguments) {
   log_warning(folder.trouble());
   write_text_whole(directory / "unit_cell.csv", unit_cell_csv(study));
   write_text_whole(directory / "unit_cell.md", unit_cell_markdown(study, version_line()));
-  write_chart(directory / "unit_cell.svg", unit_cell_chart(study));
-  write_chart(directory / "unit_cell_error.svg", unit_cell_error_chart(study));
+  write_charts({{directory / "unit_cell.svg", unit_cell_chart(study)},
+                {directory / "unit_cell_error.svg", unit_cell_error_chart(study)}});
   if (arguments.quiet) return;
   print_answer(arguments.json ? json_text(unit_cell_json(study)) : unit_cell_table(study));
   log_line(fmt::format("table, report, charts: {}/unit_cell.csv, .md, .svg, unit_cell_error.svg", directory.string()));

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "app/study/border_report.hpp"
 #include "app/study/border_run.hpp"
@@ -14,6 +17,7 @@
 #include "app/study/table.hpp"
 #include "app/study/work_precision.hpp"
 #include "app/study/work_precision_report.hpp"
+#include "core/chart/chart.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/version/version.hpp"
@@ -139,10 +143,12 @@ void write_work_precision(const Study& study, const Measures& measures, const st
   const std::string text = work_precision_markdown(*study.work_precision, charts, table);
   write_text_whole(study_folder / report_name::work_precision_table, work_precision_csv(charts, table));
   write_text_whole(study_folder / report_name::work_precision, text);
+  std::vector<std::pair<std::filesystem::path, Chart>> drawn;
   for (const WorkPrecision& one : charts) {
     page.charts.push_back(work_precision_chart(one, table));
-    write_chart(study_folder / chart_name(one.measure), page.charts.back());
+    drawn.emplace_back(study_folder / chart_name(one.measure), page.charts.back());
   }
+  write_charts(drawn);
   report.answer += "\n" + text;
   report.json["work_precision"] = work_precision_json(*study.work_precision, charts, table);
   page.answers.emplace_back("Work and precision", text);

@@ -8,9 +8,9 @@
 
 #include "app/study/case_files.hpp"
 #include "app/study/report.hpp"
+#include "core/chart/chart_json.hpp"
 #include "core/files/files.hpp"
 #include "core/version/version.hpp"
-#include "post/report/chart_json.hpp"
 #include "post/report/page.hpp"
 #include "post/report/result_report.hpp"
 #include "post/report/words.hpp"

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <string_view>
+#include <limits>
+#include <nlohmann/json.hpp>
 
-#include "core/chart/chart_script.hpp"
-#include "core/chart/gnuplot.hpp"
+#include "core/chart/chart_json.hpp"
+#include "core/chart/chart_text.hpp"
+#include "core/chart/draw_script.hpp"
+#include "core/error.hpp"
+#include "core/guard/run_program.hpp"
 
 namespace weaveform {
 namespace {
@@ -14,50 +18,48 @@ namespace {
 // By which a later run knows that the file may be overwritten.
 constexpr const char* own_mark = "<!-- Written by weaveform -->\n";
 
-// gnuplot names itself and its plots ("gnuplot_plot_1") in <title> elements, which viewers show beside the pointer: the
-// chart's title and the series' labels instead.
-std::string with_titles(const std::string& svg, const std::string& title, const std::vector<std::string>& labels) {
-  constexpr std::string_view open = "<title>", close = "</title>", plot = "gnuplot_plot_";
-  std::string out;
-  std::size_t done = 0;
-  for (std::size_t at = svg.find(open); at != std::string::npos; at = svg.find(open, done)) {
-    const std::size_t begin = at + open.size(), end = svg.find(close, begin);
-    if (end == std::string::npos) break;
-    const std::string name = svg.substr(begin, end - begin);
-    out += svg.substr(done, begin - done);
-    const std::size_t number = name.starts_with(plot) ? std::stoul(name.substr(plot.size())) : 0;
-    out += xml_text(number == 0 ? title : number <= labels.size() ? labels[number - 1] : "");
-    done = end;
-  }
-  return out + svg.substr(done);
+// What node writes to standard output for a script. Neither the user's settings (NODE_OPTIONS, language) nor a shell
+// take part.
+std::string run_node(const std::string& script) {
+  const std::string purpose = "charts cannot be drawn";
+  const ProgramEnd end = run_program({"node", "-"}, script, purpose, "nodejs");
+  if (end.signal != 0)
+    throw FileError(fmt::format("{}: node was ended by signal {} (package nodejs)", purpose, end.signal));
+  if (end.exit_code != 0)
+    throw FileError(fmt::format("{}: node (package nodejs, 18 or later) ended with exit code {}: {}", purpose,
+                                end.exit_code, end.complaint));
+  return end.output;
 }
 
-// Ids are unique within an SVG, not within a page of several. Only tags are changed; a text may hold what looks like
-// one.
-std::string with_own_ids(const std::string& svg, const std::string& prefix) {
-  constexpr std::string_view marks[] = {" id='", " id=\"", "href='#", "href=\"#", "url(#"};
-  std::string out;
-  bool in_tag = false;
-  for (std::size_t i = 0; i < svg.size();) {
-    if (svg[i] == '<') in_tag = true;
-    if (svg[i] == '>') in_tag = false;
-    std::string_view found(svg.data() + i, 1);
-    for (const auto mark : marks)
-      if (in_tag && svg.compare(i, mark.size(), mark) == 0) found = mark;
-    out += found;
-    if (found.size() > 1) out += prefix;
-    i += found.size();
+// Identifiers are unique among the charts of a page: they begin with `prefix` and the chart's number.
+std::vector<std::string> draw(const std::vector<Chart>& charts, const std::string& prefix) {
+  nlohmann::ordered_json data = nlohmann::ordered_json::array();
+  for (const Chart& chart : charts) {
+    const std::string id = prefix.empty() ? "chart" : fmt::format("{}{}", prefix, data.size() + 1);
+    auto json = chart_json(id, chart, false, std::numeric_limits<std::size_t>::max());
+    json["width"] = chart.width;
+    json["height"] = chart.height;
+    data.push_back(std::move(json));
   }
-  return out;
+  // JSON is JavaScript.
+  const std::string output = run_node(fmt::format("{}\n;drawCharts({});\n", draw_script(), data.dump()));
+  try {
+    auto drawn = nlohmann::json::parse(output).get<std::vector<std::string>>();
+    if (drawn.size() == charts.size()) return drawn;
+  } catch (const nlohmann::json::exception&) {
+    // told below
+  }
+  throw FileError("charts cannot be drawn: node on the PATH (package nodejs) does not write what it is asked for");
 }
 
 }  // namespace
 
+std::vector<std::string> to_svgs(const std::vector<Chart>& charts) {
+  return charts.empty() ? std::vector<std::string>{} : draw(charts, "");
+}
+
 std::string to_svg(const Chart& chart) {
-  const ChartScript script = gnuplot_script(chart);
-  std::string svg = with_titles(run_gnuplot(script.text), chart.title, script.labels);
-  if (const std::size_t begin = svg.find("<svg"); begin != std::string::npos) svg.insert(begin, own_mark);
-  return svg;
+  return to_svgs({chart}).front();
 }
 
 std::string to_html(const std::string& title, const std::vector<Chart>& charts) {
@@ -67,9 +69,9 @@ std::string to_html(const std::string& title, const std::vector<Chart>& charts) 
       "figure{{margin:2em 0}}svg{{max-width:100%;height:auto}}figcaption{{color:#404040;max-width:50em}}</style>\n"
       "</head>\n<body>\n<h1>{0}</h1>\n",
       xml_text(title), own_mark);
+  const auto svgs = charts.empty() ? std::vector<std::string>{} : draw(charts, "chart");
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    const std::string svg = to_svg(charts[i]);
-    page += fmt::format("<figure>\n{}", with_own_ids(svg.substr(svg.find("<svg")), fmt::format("chart{}_", i + 1)));
+    page += fmt::format("<figure>\n{}", svgs[i].substr(svgs[i].find("<svg")));
     if (!charts[i].caption.empty()) page += fmt::format("<figcaption>{}</figcaption>\n", xml_text(charts[i].caption));
     page += "</figure>\n";
   }

@@ -1,7 +1,8 @@
-// Charts: plain data in, a figure as SVG or as a web page out. gnuplot draws them (Debian package gnuplot-nox, run as a
-// child process); what is ours is the translation (chart_script.hpp) and where legend and notes go (chart_layout.hpp).
-// Values that are not finite, or not positive on a logarithmic axis, interrupt a line and are not drawn. Texts are
-// UTF-8, one line each: a line break becomes a blank, what is not UTF-8 a replacement character.
+// Charts: plain data in, a figure as SVG or as a web page out. ECharts draws them, here in node (Debian package nodejs, run
+// as a child process with the script core/chart/echarts/packed), in the reports' pages in the browser. Values that are not
+// finite (or beyond 1e300), or not positive on a logarithmic axis, interrupt a line and are not drawn. Texts are UTF-8, one
+// line each: a line break becomes a blank, what is not UTF-8 a replacement character; those too long for their place are
+// set smaller, then shortened.
 #pragma once
 
 #include <optional>
@@ -18,13 +19,15 @@ struct ChartAxis {
   std::optional<double> from = {}, to = {};  // none: from the data, with some room
 };
 
+inline constexpr int chart_colours = 8;  // that differ
+
 enum class ChartMark { line, dashed, points };
 
 struct ChartSeries {
   std::string label = {};  // "" stays out of the legend
   std::vector<double> x = {}, y = {};
   ChartMark mark = ChartMark::line;
-  int colour = -1;  // index into a palette told apart by the colour-blind (Okabe & Ito 2008); -1: the next in turn
+  int colour = -1;  // index into chart_colours told apart by the colour-blind (Okabe & Ito 2008); -1: the next in turn
   std::vector<double> y_low = {}, y_high = {};  // ends of error bars; empty: none; a value that is not finite: no bar
   int shape =
       -1;  // of points, by number (disc, square, triangle, ...); -1: the colour's, so that print tells them apart
@@ -48,14 +51,17 @@ struct Chart {
   ChartAxis x = {}, y = {};
   std::vector<ChartBand> bands = {};     // drawn first
   std::vector<ChartSeries> series = {};  // in order, later ones on top
-  int width = 760, height = 480;         // px; a legend beside the plot comes on top of the width
+  int width = 760, height = 480;         // px; the legend, above the plot, comes on top of the height
   std::vector<ChartNote> notes = {};     // on top of all
   std::string caption = {};              // below the chart in to_html; "": none
 };
 
-// The same chart gives the same bytes (with the same gnuplot). Series are told by their label when pointed at.
-// Throws FileError when gnuplot is missing or fails.
+// The same chart gives the same bytes (with the same node). Series are told by their label when pointed at. Throws
+// FileError when node is missing or fails.
 [[nodiscard]] std::string to_svg(const Chart& chart);
+
+// The same of each, by one process.
+[[nodiscard]] std::vector<std::string> to_svgs(const std::vector<Chart>& charts);
 
 // One page with all charts, complete in itself: no script, font or image from elsewhere. Throws FileError as to_svg.
 [[nodiscard]] std::string to_html(const std::string& title, const std::vector<Chart>& charts);

@@ -1,4 +1,4 @@
-// Another program (gnuplot, ffmpeg) as a child process, run to its end.
+// Another program (node, ffmpeg) as a child process, run to its end.
 #pragma once
 
 #include <string>

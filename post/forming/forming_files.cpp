@@ -12,7 +12,12 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "core/chart/chart.hpp"
 #include "core/files/csv.hpp"
 #include "core/files/files.hpp"
 #include "core/vector/angle.hpp"
@@ -34,7 +39,6 @@ void write_meridians(const Forming& forming, const fs::path& directory) {
           fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}\n", meridian_azimuths[k], p.arc,
                       p.angle * degrees_per_radian, p.height, p.radius, p.place.x(), p.place.y(), p.place.z());
   write_text_whole(directory / file_name::meridians, table);
-  write_chart(directory / file_name::meridian_chart, meridian_chart(forming));
 }
 
 void write_polydata(vtkPolyData& data, const fs::path& file) {
@@ -128,7 +132,14 @@ void write_sphere_net(const SphereNetFit& fit, const fs::path& directory) {
                     cell.angle * degrees_per_radian, csv_number(cell.net * degrees_per_radian), cell.on_sphere ? 1 : 0);
   }
   write_text_whole(directory / file_name::sphere_net, table);
-  write_chart(directory / file_name::sphere_net_chart, sphere_net_chart(fit));
+}
+
+void write_forming_charts(const Forming& forming, const fs::path& directory) {
+  std::vector<std::pair<fs::path, Chart>> charts = {{directory / file_name::meridian_chart, meridian_chart(forming)}};
+  if (forming.punch) charts.emplace_back(directory / file_name::punch_chart, punch_chart(*forming.punch));
+  if (forming.sphere_net)
+    charts.emplace_back(directory / file_name::sphere_net_chart, sphere_net_chart(*forming.sphere_net));
+  write_charts(charts);
 }
 
 }  // namespace
@@ -138,8 +149,8 @@ void write_forming(const Forming& forming, const Mesh& mesh, const Fields& field
   write_meridians(forming, directory);
   write_outline(forming, mesh, fields, directory);
   write_wrinkles(forming, mesh, fields, directory / file_name::wrinkles);
-  if (forming.punch) write_chart(directory / file_name::punch_chart, punch_chart(*forming.punch));
   if (forming.sphere_net) write_sphere_net(*forming.sphere_net, directory);
+  write_forming_charts(forming, directory);
 }
 
 }  // namespace weaveform

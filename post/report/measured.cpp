@@ -8,12 +8,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/chart/chart_json.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
 #include "post/dic/comparison/compare.hpp"
 #include "post/report/base64.hpp"
-#include "post/report/chart_json.hpp"
 
 namespace weaveform {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/chart/chart_script.hpp"
+#include "core/chart/chart_text.hpp"
 #include "core/version/version.hpp"
 #include "post/report/viewer.hpp"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/chart/chart_json.hpp"
 #include "core/vector/angle.hpp"
 #include "post/forming/forming_charts.hpp"
-#include "post/report/chart_json.hpp"
 #include "post/report/words.hpp"
 
 namespace weaveform {

@@ -1,5 +1,6 @@
 #include "solver/result/chart_file.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <utility>
@@ -30,14 +31,20 @@ void hear_of_missing_charts(std::function<void(const std::string&)> hears) {
 }
 
 void write_chart(const fs::path& file, const Chart& chart) {
-  std::string drawing;
+  write_charts({{file, chart}});
+}
+
+void write_charts(const std::vector<std::pair<fs::path, Chart>>& charts) {
+  std::vector<Chart> wanted;
+  for (const auto& named : charts) wanted.push_back(named.second);
+  std::vector<std::string> drawn;
   try {
-    drawing = to_svg(chart);
+    drawn = to_svgs(wanted);
   } catch (const FileError& error) {
-    fs::remove(file);
+    for (const auto& named : charts) fs::remove(named.first);
     return tell_once(error.what());
   }
-  write_text_whole(file, drawing);
+  for (std::size_t i = 0; i < charts.size(); ++i) write_text_whole(charts[i].first, drawn[i]);
 }
 
 }  // namespace weaveform

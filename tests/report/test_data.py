@@ -3,10 +3,8 @@
 import base64
 import hashlib
 import json
-import shutil
+import os
 import struct
-import subprocess
-import xml.dom.minidom
 from pathlib import Path
 
 import pytest
@@ -14,7 +12,9 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 from page import Page, no_drawing, start_browser
 
-viewer = Path(__file__).resolve().parents[2] / "post" / "report" / "viewer"
+root = Path(__file__).resolve().parents[2]
+viewer = root / "post" / "report" / "viewer"
+drawing = root / "core" / "chart" / "echarts"
 packed = viewer / "packed"
 
 
@@ -116,22 +116,41 @@ def test_names_on_nodes_are_not_mixed_within_a_cell(opened, tmp_path):
     assert page.colour_at(place) == page.colour_at(towards_last_node)
 
 
-def test_packed_is_of_these_sources():
-    listed = dict(reversed(line.split("  ")) for line in (packed / "SOURCES").read_text().splitlines())
-    there = [viewer / "build.mjs", viewer / "package-lock.json", *(each for each in (viewer / "src").rglob("*") if each.is_file())]
-    found = {each.relative_to(viewer).as_posix(): hashlib.sha256(each.read_bytes()).hexdigest() for each in there}
-    assert found == listed, "run ./dev viewer and commit post/report/viewer/packed"
+def test_bands_and_error_bars_are_drawn_and_told(opened, tmp_path):
+    data = two_plies()
+    data["charts"] = [{"id": "border", "title": "", "x": {"title": "mass (t)", "log": True}, "y": {"title": "force (N)", "log": True},
+                       "bands": [{"name": "within", "x": [1, 2, 4, 8], "low": [0, 1, None, 1], "high": [4, 4, 4, 4]}],
+                       "series": [{"name": "measured", "x": [1, 2, 4, 8], "y": [1, 2, 3, 4], "y_low": [0.5, 1.5, None, 3.5], "y_high": [2, 3, None, 5], "style": "points"},
+                                  {"name": "law", "x": [1, 8], "y": [1, 4], "style": "line"}]}]
+    page = opened(glue(data, tmp_path / "page.html"))
+    assert page.script("report.troubles") == []
+    assert page.script("document.querySelectorAll('#chart-border svg path[fill=\"#0072b2\"]').length") == 2, "one area, for a single place has none, and the legend's"
+    page.show("#chart-border")
+    page.mouse_to(page.script("report.chart('border').onScreen(0, 1)"))
+    WebDriverWait(page.browser, 5).until(lambda _: page.script("report.chart('border').hover()"))
+    words = page.script("report.chart('border').hover()")
+    assert "measured: 2 (1.5 … 3)" in words and "within: 1 … 4" in words and "law" not in words, words
+    assert page.labels_in_the_way("border") == []
+    assert page.complaints() == []
 
 
-@pytest.mark.skipif(not shutil.which("node") or not (viewer / "node_modules" / "echarts").exists(), reason="needs npm ci in post/report/viewer")
-def test_a_chart_for_documents_is_the_same_bytes_each_time(tmp_path):
-    (tmp_path / "chart.json").write_text(json.dumps(two_plies()["charts"][0]))
-    drawings = [tmp_path / "a.svg", tmp_path / "b.svg"]
-    for file in drawings:
-        subprocess.run(["node", viewer / "draw_chart.mjs", tmp_path / "chart.json", file], check=True, timeout=30)
-    assert drawings[0].read_bytes() == drawings[1].read_bytes()
-    words = [each.firstChild.data for each in xml.dom.minidom.parse(str(drawings[0])).getElementsByTagName("text")]
-    assert {"fine", "coarse", "force (N)", "case"} <= set(words)
+def test_charts_are_drawn_anew_for_paper(opened, tmp_path):
+    page = opened(glue(two_plies(), tmp_path / "page.html"))
+    box = "document.querySelector('#chart-cases svg').getAttribute('viewBox')"
+    page.script("window.dispatchEvent(new Event('beforeprint'))")
+    assert page.script(box) == "0 0 430 290"
+    page.script("window.dispatchEvent(new Event('afterprint'))")
+    assert page.script(box) is None
+
+
+@pytest.mark.parametrize("folder", [viewer, drawing])
+def test_packed_is_of_these_sources(folder):
+    listed = dict(reversed(line.split("  ")) for line in (folder / "packed" / "SOURCES").read_text().splitlines())
+    there = [viewer / "build.mjs", viewer / "package-lock.json", *drawing.glob("*.js")]
+    if folder == viewer:
+        there += [each for each in (viewer / "src").rglob("*") if each.is_file()]
+    found = {os.path.relpath(each, folder): hashlib.sha256(each.read_bytes()).hexdigest() for each in there}
+    assert found == listed, "run ./dev viewer and commit both folders packed/"
 
 
 def test_text_of_a_result_is_never_markup(opened, tmp_path):

@@ -122,14 +122,14 @@ TEST_F(ExitCodes, QuietRunPrintsNothing) {
   EXPECT_EQ(result.out + result.err, "");
 }
 
-// Charts are drawn by gnuplot, which may be missing.
-TEST_F(ExitCodes, WithoutGnuplotAChartIsFileTroubleAndANumberIsNot) {
+// Charts are drawn in node, which may be missing.
+TEST_F(ExitCodes, WithoutNodeAChartIsFileTroubleAndANumberIsNot) {
   write_text("x,y\n1,2\n2,3\n", file("table.csv"));
   const std::string chart = "weaveform chart table.csv --output chart.svg";
   ASSERT_EQ(run(chart).exit_code, 0);
   const auto failed = run("PATH=/nowhere; " + chart);
   EXPECT_EQ(failed.exit_code, 4) << failed.err;
-  EXPECT_TRUE(says(failed.err, "gnuplot-nox")) << failed.err;
+  EXPECT_TRUE(says(failed.err, "nodejs")) << failed.err;
   EXPECT_FALSE(fs::exists(file("chart.svg"))) << "the older chart passes for a new one";
 
   ASSERT_EQ(run("weaveform chart table.csv --output chart.html").exit_code, 0);

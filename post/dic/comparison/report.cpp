@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "core/chart/chart.hpp"
 #include "core/files/csv.hpp"
@@ -260,11 +263,12 @@ std::string verdict_table(const Comparison& c) {
 void write_report(const Comparison& c, const fs::path& output) {
   write_text_whole(output / file_name::stage_table, stages_csv(c));
   if (!c.stage.front().line.empty()) write_text_whole(output / file_name::line_table, lines_csv(c));
+  std::vector<std::pair<fs::path, Chart>> charts = {{output / file_name::angle_chart, angle_chart(c)}};
   if (c.load) {
     write_text_whole(output / file_name::load_table, loads_csv(*c.load));
-    write_chart(output / file_name::load_chart, load_chart(c));
+    charts.emplace_back(output / file_name::load_chart, load_chart(c));
   }
-  write_chart(output / file_name::angle_chart, angle_chart(c));
+  write_charts(charts);
   write_text_whole(output / file_name::comparison, json_text(comparison_json(c)));
 }
 

@@ -1,27 +1,17 @@
-// Packs src/ and the parts of vtk.js and ECharts that it uses into packed/, with the licences of all that went in.
-// Every byte depends on the sources and the lock file alone.
+// Packs src/ and the parts of vtk.js and ECharts that it uses into packed/, and the script that draws charts
+// (core/chart/echarts) into its packed/, each with the licences of all that went in. Every byte depends on the sources and
+// the lock file alone.
 import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 
-const shared = { bundle: true, minify: true, charset: 'utf8', legalComments: 'none', metafile: true };
-
-const script = await build({
-  ...shared,
-  entryPoints: ['src/main.js'],
-  outfile: 'packed/report.js',
-  format: 'iife',
-  target: ['es2020'],
-  supported: { 'inline-script': true }, // "</script" inside a string would end the page's script
+const drawing = '../../../core/chart/echarts';
+const shared = {
+  bundle: true, minify: true, charset: 'utf8', legalComments: 'none', metafile: true, logLevel: 'warning',
   define: { 'process.env.NODE_ENV': '"production"' },
-  alias: {
-    // vtk.js's window asks for these; a report has neither a WebGPU path nor XML files to read
-    xmlbuilder2: './src/nothing.js',
-  },
-  logLevel: 'warning',
-});
-await build({ ...shared, entryPoints: ['src/report.css'], outfile: 'packed/report.css', logLevel: 'warning' });
+  nodePaths: ['node_modules'], // for the sources outside of this folder
+};
 
 // The packages that have at least a byte in the script.
 function packagesIn(metafile) {
@@ -58,18 +48,53 @@ function licenceOf(name) {
   return `${name} ${about.version} (${about.license})\n${'='.repeat(60)}\n\n${texts.join('\n\n')}\n`;
 }
 
-mkdirSync('packed', { recursive: true });
-const licences =
-  'report.js holds parts of these packages, each under its own licence; the rest of it is Weaveform.\n\n\n' +
-  packagesIn(script.metafile).map(licenceOf).join('\n\n');
-writeFileSync('packed/LICENSES.txt', licences);
-// Who passes a report on passes the packages on, and has to pass their licences on with them.
-const comment = licences.replaceAll('*/', '* /').replaceAll('</', '< /').replaceAll('<!--', '< !--');
-writeFileSync('packed/report.js', `${readFileSync('packed/report.js', 'utf8').trimEnd()}\n/*\n${comment}*/\n`);
+// Beside the script, and as its last comment: who passes a report or the program on passes the packages on, and has to
+// pass their licences on with them.
+function addLicences(script, metafile) {
+  const name = script.split('/').pop();
+  const licences =
+    `${name} holds parts of these packages, each under its own licence; the rest of it is Weaveform.\n\n\n` +
+    packagesIn(metafile).map(licenceOf).join('\n\n');
+  writeFileSync(join(script, '..', 'LICENSES.txt'), licences);
+  const comment = licences.replaceAll('*/', '* /').replaceAll('</', '< /').replaceAll('<!--', '< !--');
+  writeFileSync(script, `${readFileSync(script, 'utf8').trimEnd()}\n/*\n${comment}*/\n`);
+}
 
-// What it was packed from, so that a test can tell, without npm, when sources changed after packing.
-const sources = ['build.mjs', 'package-lock.json', ...readdirSync('src', { recursive: true }).map((file) => join('src', file))]
-  .filter((file) => statSync(file).isFile())
-  .sort();
-const digest = (file) => createHash('sha256').update(readFileSync(file)).digest('hex');
-writeFileSync('packed/SOURCES', sources.map((file) => `${digest(file)}  ${file}\n`).join(''));
+const filesIn = (folder) => readdirSync(folder, { recursive: true }).map((file) => join(folder, file)).filter((file) => statSync(file).isFile());
+const drawing_sources = filesIn(drawing).filter((file) => file.endsWith('.js') && !file.includes('packed'));
+const recipe = ['build.mjs', 'package-lock.json'];
+
+// What a folder was packed from, so that a test can tell, without npm, when sources changed after packing.
+function noteSources(packed, sources) {
+  const digest = (file) => createHash('sha256').update(readFileSync(file)).digest('hex');
+  writeFileSync(join(packed, 'SOURCES'), sources.sort().map((file) => `${digest(file)}  ${relative(join(packed, '..'), file)}\n`).join(''));
+}
+
+for (const packed of ['packed', join(drawing, 'packed')]) mkdirSync(packed, { recursive: true });
+
+const viewer = await build({
+  ...shared,
+  entryPoints: ['src/main.js'],
+  outfile: 'packed/report.js',
+  format: 'iife',
+  target: ['es2020'],
+  supported: { 'inline-script': true }, // "</script" inside a string would end the page's script
+  alias: {
+    // vtk.js's window asks for these; a report has neither a WebGPU path nor XML files to read
+    xmlbuilder2: './src/nothing.js',
+  },
+});
+await build({ ...shared, entryPoints: ['src/report.css'], outfile: 'packed/report.css' });
+addLicences('packed/report.js', viewer.metafile);
+noteSources('packed', [...recipe, ...filesIn('src'), ...drawing_sources]);
+
+const drawer = await build({
+  ...shared,
+  entryPoints: [join(drawing, 'draw_charts.js')],
+  outfile: join(drawing, 'packed/draw_charts.js'),
+  format: 'cjs',
+  platform: 'node',
+  target: ['node18'], // Debian 12's
+});
+addLicences(join(drawing, 'packed/draw_charts.js'), drawer.metafile);
+noteSources(join(drawing, 'packed'), [...recipe, ...drawing_sources]);

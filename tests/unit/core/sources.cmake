@@ -1,6 +1,8 @@
 set(UNIT_CORE_SOURCES
   unit/core/files/owned_files_test.cpp
   unit/core/findings_test.cpp
+  unit/core/chart/chart_json_test.cpp
+  unit/core/chart/chart_page_test.cpp
   unit/core/chart/chart_test.cpp
   unit/core/files/csv_test.cpp
   unit/core/files/files_test.cpp

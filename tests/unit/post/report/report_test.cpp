@@ -7,7 +7,6 @@
 #include "core/vector/vector.hpp"
 #include "post/forming/tools_near.hpp"
 #include "post/report/base64.hpp"
-#include "post/report/chart_json.hpp"
 #include "post/report/page.hpp"
 #include "post/report/shown_part.hpp"
 #include "post/report/viewer.hpp"
@@ -120,33 +119,6 @@ TEST(ToolsNear, AreCutAtTheSidesOfABox) {
   }
   EXPECT_TRUE(cut_to_box(square(1000.0), {-10.0, -20.0, 6.0}, {30.0, 20.0, 10.0}).face.empty()) << "above it";
   EXPECT_NEAR(area(cut_to_box(square(4.0), {-10.0, -20.0, 0.0}, {30.0, 20.0, 10.0})), 16.0, 1e-12) << "all inside";
-}
-
-TEST(ChartJson, ThinsLinesButKeepsTheirEndsAndLeavesGaps) {
-  Chart chart{.title = "t"};
-  ChartSeries line{.label = "a"};
-  for (int k = 0; k < 10001; ++k) {
-    line.x.push_back(k);
-    line.y.push_back(k == 10000 ? NAN : 2.0 * k);
-  }
-  chart.series.push_back(line);
-  const auto json = chart_json("id", chart);
-  const auto& x = json["series"][0]["x"];
-  EXPECT_EQ(x.size(), most_points_of_a_line);
-  EXPECT_EQ(x.front(), 0.0);
-  EXPECT_EQ(x.back(), 10000.0);
-  EXPECT_TRUE(json["series"][0]["y"].back().is_null());
-}
-
-TEST(ChartJson, KeepsNotesAndTheEndsOfBands) {
-  Chart chart{.title = "t"};
-  chart.bands.push_back({.label = "border", .x = {1.0, 2.0}, .low = {3.0, 4.0}, .high = {5.0, 6.0}});
-  chart.notes.push_back({"coarsening 4", 1.5, 4.5});
-  const auto json = chart_json("id", chart);
-  ASSERT_EQ(json["series"].size(), 2U);
-  EXPECT_EQ(json["series"][0]["name"], "border, lower end");
-  EXPECT_EQ(json["series"][1]["y"], (std::vector<double>{5.0, 6.0}));
-  EXPECT_EQ(json["notes"][0]["text"], "coarsening 4");
 }
 
 TEST(ReportPage, NoTextOfTheDataEndsTheScript) {
