@@ -4,13 +4,14 @@
 # more than the limit and by more than both scatter.
 #
 #   usage: bench/compare.sh BASE [ROUNDS] [FILTER]     (rounds: 5; filter: a regular expression of benchmark names)
+#   LIMIT in the environment: percent (5)
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 base=${1:?usage: bench/compare.sh BASE [ROUNDS] [FILTER]}
 rounds=${2:-5}
 filter=${3:-.}
-limit=3  # percent
+limit=${LIMIT:-5}  # percent
 
 folder="$root/results/bench"
 commit=$(git -C "$root" rev-parse --verify --quiet "$base^{commit}") || { echo "error: no commit '$base'" >&2; exit 2; }

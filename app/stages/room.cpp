@@ -126,7 +126,9 @@ std::string time_cause(const Resolved& model, const Solve& solve) {
   if (solve.duration > far_off * 10.0)  // s; no process of forming is simulated that long
     return fmt::format("the duration chosen for this scene is {:.4g} s; look at its travels and lengths",
                        solve.duration);
-  return "raise blank.coarsening or analysis.mass_scale, or set analysis.step_bound = \"reached\"";
+  std::string advice = "raise blank.coarsening or analysis.mass_scale";
+  if (scene.analysis.step_bound == StepBound::stiffest) advice += ", or set analysis.step_bound = \"reached\"";
+  return advice;
 }
 
 std::string duration_text(double seconds) {

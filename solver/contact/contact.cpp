@@ -80,6 +80,7 @@ Contact::Touch Contact::make_touch(const Tool& tool, const State& start) const {
                .damping_rate = 2.0 * contact_damping * frequency_,
                .friction = tool.friction};
   touch.anchor = start.position;
+  for (auto& component : touch.drag) component.assign(packed_.nodes, 0.0);
   for (int c = 0; c < 3; ++c)
     for (double& value : touch.anchor[c]) value -= tool.start.origin[c];
   touch.clearance.assign(block_count(), 0.0);
@@ -134,7 +135,7 @@ void Contact::add_forces(State& state, double /*step*/) {
   const double step = tools_.step_made();
   team_.run(block_count(), [&](int block) { treat_block(block, state, step); });
   for (std::size_t t = 0; t < touch_.size(); ++t) {
-    sum_blocks(touch_[t], loads_[t]);
+    sum_blocks(touch_[t], step > 0.0, loads_[t]);
     check(t, state);
   }
   wall_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -151,6 +152,7 @@ ContactNodes Contact::block_nodes(int block, Touch& touch, State& state) const {
     nodes.v[c] = state.velocity[c].data() + first;
     nodes.force[c] = state.force[c].data() + first;
     nodes.anchor[c] = touch.anchor[c].data() + first;
+    nodes.drag[c] = touch.drag[c].data() + first;
   }
   return nodes;
 }
@@ -216,7 +218,8 @@ void Contact::treat_block(int block, State& state, double step) {
   }
 }
 
-void Contact::sum_blocks(const Touch& touch, ToolLoad& load) {
+// Before the first step nothing has moved, though a perturbation may have displaced nodes: nothing is lost.
+void Contact::sum_blocks(const Touch& touch, bool moved, ToolLoad& load) {
   load.force = {0.0, 0.0, 0.0};
   load.area = load.energy = load.deepest = 0.0;
   for (std::size_t b = 0; b < touch.sums.size(); ++b) {
@@ -225,8 +228,10 @@ void Contact::sum_blocks(const Touch& touch, ToolLoad& load) {
     for (int c = 0; c < 3; ++c) load.force[c] += sums.force[c];
     load.area += sums.area;
     load.energy += sums.energy;
-    load.friction_work += sums.friction_work;
-    load.damping_work += sums.damping_work;
+    if (moved) {
+      load.friction_work += sums.friction_work;
+      load.damping_work += sums.damping_work;
+    }
     load.deepest = std::max(load.deepest, touch.depth[b]);
   }
 }
@@ -269,6 +274,7 @@ void Contact::archive(Archive& archive) {
   for (std::size_t k = 0; k < touch_.size(); ++k) {
     Touch& touch = touch_[k];
     for (auto& component : touch.anchor) archive.numbers("an anchor", component);
+    for (auto& component : touch.drag) archive.numbers("a contact's drag", component);
     archive.numbers("a clearance", touch.clearance, infinite_too);
     archive_load(archive, loads_[k]);
     if (touch.hint.empty()) continue;

@@ -61,6 +61,7 @@ private:
   struct Touch {
     ContactLaw law;
     Components anchor;              // mm; tool's frame
+    Components drag;                // N; of the dampers, at the last step
     std::vector<double> clearance;  // mm; per block, > 0 where nothing can touch
     std::vector<char> measured;     // per block, in the last add_forces
     std::vector<ContactSums> sums;  // per block, valid where measured
@@ -74,7 +75,7 @@ private:
   void treat_block(int block, State& state, double step);
   static void triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
                                  Distances& distances);
-  static void sum_blocks(const Touch& touch, ToolLoad& load);
+  static void sum_blocks(const Touch& touch, bool moved, ToolLoad& load);
   void check(std::size_t tool, const State& state) const;
   [[nodiscard]] ContactNodes block_nodes(int block, Touch& touch, State& state) const;
   [[nodiscard]] int block_count() const;

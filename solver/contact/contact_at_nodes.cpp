@@ -18,11 +18,12 @@ struct NodeContact {
 // The contact law once more at one node, whose anchor has followed already: the same normal force, and a node that
 // slides is cut to the limit again.
 NodeContact node_contact(const ContactLaw& law, const ContactTool& tool, const Distances& found, ContactNodes node) {
-  double force[3] = {0.0, 0.0, 0.0}, anchor[3];
+  double force[3] = {0.0, 0.0, 0.0}, anchor[3], drag[3] = {0.0, 0.0, 0.0};
   for (int c = 0; c < 3; ++c) {
     anchor[c] = *node.anchor[c];
     node.force[c] = &force[c];
     node.anchor[c] = &anchor[c];
+    node.drag[c] = &drag[c];
   }
   (void)contact_forces(law, tool, found, 0.0, node);
   double normal = 0.0, tangential_square = 0.0;
@@ -48,12 +49,13 @@ ContactState Contact::contact_state(const State& state) const {
       node.count = 1;
       node.mass = &mass_[n];
       node.area = &area_[n];
-      double anchor[3];
+      double anchor[3], drag[3] = {0.0, 0.0, 0.0};
       for (int c = 0; c < 3; ++c) {
         node.x[c] = &state.position[c][n];
         node.v[c] = &state.velocity[c][n];
         anchor[c] = touch.anchor[c][n];
         node.anchor[c] = &anchor[c];
+        node.drag[c] = &drag[c];
       }
       int hint = touch.hint.empty() ? 0 : touch.hint[n];
       Distances found;

@@ -11,11 +11,12 @@ struct Contribution {
 };
 
 // One node and one tool: the law of the header. `d` is the way from the anchor, `v` the speed relative to the tool;
-// `stretch` becomes what the tangential spring keeps. `inverse_softening` spares a division.
+// `stretch` becomes what the tangential spring keeps, `drag` goes from the dampers' force at the step before to that of
+// now. `inverse_softening` spares a division.
 [[gnu::always_inline]] inline Contribution contact_force(const ContactLaw& law, double inverse_softening, double mass,
                                                          double area, double distance, const double (&n)[3],
                                                          const double (&d)[3], const double (&v)[3], double time,
-                                                         double (&stretch)[3]) {
+                                                         double (&stretch)[3], double (&drag)[3]) {
   const double k = law.frequency2 * mass, c = law.damping_rate * mass;
   const double gap = distance - law.offset;
   const double p = gap < 0.0 ? -gap : 0.0;
@@ -39,7 +40,15 @@ struct Contribution {
   stretch[0] = cut * t0;
   stretch[1] = cut * t1;
   stretch[2] = cut * t2;
-  const double t_square = t0 * t0 + t1 * t1 + t2 * t2, w_square = w0 * w0 + w1 * w1 + w2 * w2;
+  const double t_square = t0 * t0 + t1 * t1 + t2 * t2, t_w = t0 * w0 + t1 * w1 + t2 * w2;
+
+  const double drag_before = drag[0] * n[0] + drag[1] * n[1] + drag[2] * n[2], drag_now = normal - elastic;
+  const double along0 = drag[0] - drag_before * n[0], along1 = drag[1] - drag_before * n[1],
+               along2 = drag[2] - drag_before * n[2];
+  const double now0 = -cut * c * w0, now1 = -cut * c * w1, now2 = -cut * c * w2;
+  drag[0] = drag_now * n[0] + now0;
+  drag[1] = drag_now * n[1] + now1;
+  drag[2] = drag_now * n[2] + now2;
 
   Contribution out;
   out.force[0] = normal * n[0] - cut * s0;
@@ -47,8 +56,10 @@ struct Contribution {
   out.force[2] = normal * n[2] - cut * s2;
   out.area = p > 0.0 ? area : 0.0;
   out.energy = stored_normal + 0.5 * k * cut * cut * t_square;
-  out.friction_work = k * cut * (1.0 - cut) * t_square + time * cut * c * w_square;
-  out.damping_work = time * (normal - elastic) * approach;
+  // the spring's slip (1 - cut) t against half its force before, k (t - time w), and half of now's, k cut t
+  out.friction_work = 0.5 * k * (1.0 - cut) * ((1.0 + cut) * t_square - time * t_w) -
+                      0.5 * time * ((along0 + now0) * w0 + (along1 + now1) * w1 + (along2 + now2) * w2);
+  out.damping_work = 0.5 * time * (drag_before + drag_now) * approach;
   return out;
 }
 
@@ -67,12 +78,15 @@ ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_
     const double d[3] = {y[0] - nodes.anchor[0][i], y[1] - nodes.anchor[1][i], y[2] - nodes.anchor[2][i]};
     const double v[3] = {nodes.v[0][i] - tool.velocity[0], nodes.v[1][i] - tool.velocity[1],
                          nodes.v[2][i] - tool.velocity[2]};
-    double stretch[3];
+    double stretch[3], drag[3] = {nodes.drag[0][i], nodes.drag[1][i], nodes.drag[2][i]};
     const Contribution c =
-        contact_force(law, inverse, nodes.mass[i], nodes.area[i], distances.distance[i], n, d, v, time, stretch);
+        contact_force(law, inverse, nodes.mass[i], nodes.area[i], distances.distance[i], n, d, v, time, stretch, drag);
     nodes.anchor[0][i] = y[0] - stretch[0];
     nodes.anchor[1][i] = y[1] - stretch[1];
     nodes.anchor[2][i] = y[2] - stretch[2];
+    nodes.drag[0][i] = drag[0];
+    nodes.drag[1][i] = drag[1];
+    nodes.drag[2][i] = drag[2];
     nodes.force[0][i] += c.force[0];
     nodes.force[1][i] += c.force[1];
     nodes.force[2][i] += c.force[2];
@@ -93,7 +107,10 @@ ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_
 
 void reset_anchors(const ContactTool& tool, const ContactNodes& nodes) {
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < nodes.count; ++i) nodes.anchor[c][i] = nodes.x[c][i] - tool.origin[c];
+    for (int i = 0; i < nodes.count; ++i) {
+      nodes.anchor[c][i] = nodes.x[c][i] - tool.origin[c];
+      nodes.drag[c][i] = 0.0;
+    }
 }
 
 double least_gap(const Distances& distances, double offset, const ContactNodes& nodes) {

@@ -7,15 +7,21 @@
 //             tangential speed. Where their sum passes mu N, both are scaled down to it and the anchor follows
 //             (return mapping; Simo and Hughes 1998, "Computational Inelasticity", 1.2), so a node that sticks keeps
 //             its place for ever, one that slides feels exactly mu N, and damping never adds to Coulomb's limit.
-// Every loss is work of its own, never negative: what the spring loses to the cut, and the dampers.
+// What is lost is work of its own: what the spring loses to the cut, and the dampers'. A leapfrog step's force acts over
+// half the way made before it and half the way after, so that over a way d between two steps every force does the work
+// (F_before + F_now)/2 . d; counted so, losses leave the energy balance no error of the step's first order (it was
+// 2 % where tools meet the fabric).
 #pragma once
 
 #include "mesher/tools/distance.hpp"
 
 namespace weaveform {
 
-inline constexpr double contact_damping = 0.1;     // of critical, of a node on its contact spring
-inline constexpr double contact_softening = 0.02;  // of the thickness: the depth over which the normal force sets in
+inline constexpr double contact_damping = 0.1;  // of critical, of a node on its contact spring
+// Of the thickness: the depth over which the normal force sets in. A node that hits a tool passes it in a step or two;
+// with 0.02 a dome on which a fabric is let go lost 1.2 % of the energy unseen, with 0.05 0.5 %, and a drawn
+// hemisphere's force changes by 0.04 %.
+inline constexpr double contact_softening = 0.05;
 
 struct ContactLaw {
   double offset = 0.0;        // mm; from the fabric's middle plane to its face
@@ -40,6 +46,7 @@ struct ContactNodes {
   const double* v[3];  // mm/s; half a step behind
   double* force[3];    // N; added to
   double* anchor[3];   // mm; in the tool's frame (world axes, tool's origin)
+  double* drag[3];     // N; of both dampers on the node: at the step before, and then now
 };
 
 // Sums over a block.
@@ -55,7 +62,7 @@ struct ContactSums {
 [[nodiscard]] ContactSums contact_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,
                                          double time, const ContactNodes& nodes);
 
-// Puts the anchors where the nodes are: no stretch.
+// Puts the anchors where the nodes are: no stretch, and no drag.
 void reset_anchors(const ContactTool& tool, const ContactNodes& nodes);
 
 // mm; least distance - offset of the nodes that exist.

@@ -50,11 +50,14 @@ void ToolMotion::advance(double time, double step, double reaction) {
   if (pushed()) {
     const double force = force_at(time - step);
     const double kick = 0.5 * (state_.step + step), half = 0.5 * damping_ * kick;
-    state_.velocity = ((1.0 - half) * state_.velocity + kick * (force - reaction) / mass_) / (1.0 + half);
+    const double before = state_.velocity, way_before = state_.way;
+    state_.velocity = ((1.0 - half) * before + kick * (force - reaction) / mass_) / (1.0 + half);
     state_.way = step * state_.velocity;
     state_.displacement += state_.way;
-    state_.work += force * state_.way;
-    state_.damping_work += damping_ * mass_ * state_.velocity * state_.way;
+    state_.work += 0.5 * (force + force_at(time)) * state_.way;
+    // its work over half the way before and half the way after, as the step has it (contact_kernel.hpp)
+    const double drag = damping_ * mass_ * 0.5 * (before + state_.velocity);
+    state_.damping_work += 0.5 * drag * (way_before + state_.way);
   } else {
     const double displacement = travel_ * travel_part(speed_, time / duration_);
     state_.way = displacement - state_.displacement;
@@ -71,8 +74,8 @@ void ToolMotion::add_travel_work(double reaction_before, double reaction) {
 double ToolMotion::kinetic_energy(double time, double reaction) const {
   if (!pushed()) return 0.0;
   const double acceleration = (force_at(time) - reaction) / mass_ - damping_ * state_.velocity;
-  const double velocity = state_.velocity + 0.5 * state_.step * acceleration;
-  return 0.5 * mass_ * velocity * velocity;
+  // m v- v+/2: from one step to the next it grows by (F_n + F_n+1)/2 . way, which is how every work is counted here
+  return 0.5 * mass_ * state_.velocity * (state_.velocity + state_.step * acceleration);
 }
 
 void ToolMotion::archive(Archive& archive) {

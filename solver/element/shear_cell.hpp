@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "mesher/scene/choices.hpp"
-#include "solver/element/vector_log.hpp"
+#include "solver/element/half_log.hpp"
 
 namespace weaveform {
 
@@ -58,14 +58,14 @@ template <Formulation formulation, Thickness thickness, class Law>
   double s = dot * inverse;
   s = s > limit ? limit : s;
   s = s < -limit ? -limit : s;
-  const double log_strain = 0.5 * vector_log((1.0 + s) / (1.0 - s));
-  double force = volume * law.stress(log_strain);
+  double force = volume * law.stress(half_log(1.0 + s, 1.0 - s));
   if constexpr (thickness == Thickness::constant) force *= std::sqrt(1.0 - s * s);
   const double cross = force * inverse;
   double along1 = 0.0, along2 = 0.0;
   if constexpr (formulation == Formulation::energy) {
-    along1 = force * s / square1;
-    along2 = force * s / square2;
+    const double per_area = force * s * (inverse * inverse);  // force * s / square1 / square2
+    along1 = per_area * square2;
+    along2 = per_area * square1;
   }
   CellForce result;
 #pragma GCC unroll 3

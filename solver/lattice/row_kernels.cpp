@@ -23,7 +23,7 @@ YarnSums yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& v
   const double *avx = velocity.a[0], *avy = velocity.a[1], *avz = velocity.a[2];
   const double *bvx = velocity.b[0], *bvy = velocity.b[1], *bvz = velocity.b[2];
   double *tx = t[0], *ty = t[1], *tz = t[2];
-  const double inverse_square = 1.0 / (rest * rest);
+  const double inverse_square = 1.0 / (rest * rest), viscosity_over_rest = viscosity / rest;
   double power = 0.0, shortest = 1.0, longest = 1.0;
 #pragma omp simd reduction(+ : power) reduction(min : shortest) reduction(max : longest)
   for (int i = begin; i < end; ++i) {
@@ -32,8 +32,10 @@ YarnSums yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& v
     const double length_squared = dx * dx + dy * dy + dz * dz;
     const double square = length_squared > least_square ? length_squared : least_square;
     hold(square * inverse_square, (square + 2.0 * ahead * rate) * inverse_square, area[i], shortest, longest);
-    const double viscous = viscous_force_per_length(square, rate, rest, area[i], viscosity);
-    const double per_length = yarn_force_per_length<section>(law, square, rest, area[i]) + viscous;
+    double inverse = 0.0;
+    const double elastic = yarn_force_per_length<section>(law, square, rest, area[i], inverse);
+    const double viscous = viscous_force_per_length(inverse, rate, area[i], viscosity_over_rest);
+    const double per_length = elastic + viscous;
     power += viscous * rate;
     tx[i] = per_length * dx;
     ty[i] = per_length * dy;
@@ -59,10 +61,13 @@ YarnSums loose_yarns(const void* law_pointer, const LooseYarnView& yarns, double
     const double rate = dx * (vx[b] - vx[a]) + dy * (vy[b] - vy[a]) + dz * (vz[b] - vz[a]);
     const double square = dx * dx + dy * dy + dz * dz;
     const double free = std::sqrt(square), whole = free + jaw[e], coming = whole + ahead * rate / free;
-    const double inverse = 1.0 / length[e];
-    hold(whole * inverse * whole * inverse, coming * inverse * coming * inverse, sections[e], shortest, longest);
-    const double viscous = viscous_force_per_length(square, rate, length[e], sections[e], viscosity);
-    const double per_length = yarn_force_per_length<section>(law, square, length[e], jaw[e], sections[e]) + viscous;
+    const double inverse_rest = 1.0 / length[e];
+    const double now = whole * inverse_rest, then = coming * inverse_rest;
+    hold(now * now, then * then, sections[e], shortest, longest);
+    double inverse = 0.0;
+    const double elastic = yarn_force_per_length<section>(law, square, length[e], jaw[e], sections[e], inverse);
+    const double viscous = viscous_force_per_length(inverse, rate, sections[e], viscosity * inverse_rest);
+    const double per_length = elastic + viscous;
     power += viscous * rate;
     tx[e] = per_length * dx;
     ty[e] = per_length * dy;

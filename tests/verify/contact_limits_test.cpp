@@ -38,6 +38,16 @@ TEST(Drawing, RunsAndBalances) {
   }
 }
 
+// A perturbation displaces nodes that touch tools, with and without friction, before anything has moved: no work.
+TEST(Drawing, BalancesFromAPerturbedStart) {
+  for (const double friction : {0.0, 0.3}) {
+    Scene scene = drawing();
+    for (ToolSpec& tool : scene.tools) tool.friction = friction;
+    scene.analysis.perturbation = 0.01;
+    EXPECT_LT(run(scene).statistics.energy_error, 0.01) << "friction " << friction;
+  }
+}
+
 TEST(Drawing, GivesTheSameBitsForAnyNumberOfThreads) {
   Scene scene = drawing();
   scene.tools[2].travel = 6.0;

@@ -1,6 +1,7 @@
 // The contact law of one node, and the culling around it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -14,7 +15,7 @@ const ContactLaw law = {.offset = 0.25, .softening = 0.01, .frequency2 = 5e9, .d
 
 // One node above the plane z = 0.
 struct Node {
-  double x[3] = {0, 0, 0}, v[3] = {0, 0, 0}, anchor[3] = {0, 0, 0}, force[3] = {0, 0, 0};
+  double x[3] = {0, 0, 0}, v[3] = {0, 0, 0}, anchor[3] = {0, 0, 0}, drag[3] = {0, 0, 0}, force[3] = {0, 0, 0};
   double node_mass = mass, area = 20.0;
   ContactTool tool{{0, 0, 0}, {0, 0, 0}};
 
@@ -35,6 +36,7 @@ struct Node {
       nodes.v[c] = &v[c];
       nodes.force[c] = &force[c];
       nodes.anchor[c] = &anchor[c];
+      nodes.drag[c] = &drag[c];
     }
     return nodes;
   }
@@ -70,13 +72,11 @@ TEST(ContactLaw, NodeBelowCoulombsLimitSticksAndAboveItFeelsExactlyIt) {
   EXPECT_EQ(stuck.friction_work, 0.0);
   EXPECT_NEAR(node.anchor[0], 0.0, 1e-15);
   node.x[0] = 3.0 * law.friction * normal / k;
-  const ContactSums slid = node.touch(law);
+  (void)node.touch(law);
   EXPECT_NEAR(node.force[0], -law.friction * normal, 1e-12 * normal);
-  // limit times the anchor's way of two limit stretches
-  EXPECT_NEAR(slid.friction_work, 2.0 * std::pow(law.friction * normal, 2) / k, 1e-9 * slid.friction_work);
 }
 
-TEST(ContactLaw, NeverPullsAndNeverGivesEnergy) {
+TEST(ContactLaw, NeverPullsAndNeverRubsBeyondCoulombsLimit) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> place(-0.05, 0.05), speed(-3000.0, 3000.0);
   for (int n = 0; n < 20000; ++n) {
@@ -87,11 +87,44 @@ TEST(ContactLaw, NeverPullsAndNeverGivesEnergy) {
       node.anchor[c] = 0.01 * place(generator);
     }
     node.x[2] += 0.25;
-    const ContactSums sums = node.touch(law);
+    (void)node.touch(law);
     ASSERT_GE(node.force[2], 0.0);
-    ASSERT_GE(sums.friction_work, 0.0);
-    ASSERT_GE(sums.damping_work, -1e-18);
     ASSERT_LE(std::hypot(node.force[0], node.force[1]), law.friction * node.force[2] * (1.0 + 1e-12) + 1e-300);
+  }
+}
+
+// A node pressed on a plane, in the linear part of the normal law, dances and rubs there, and now and then sticks: what
+// leapfrog keeps, m v- v+/2 and the springs' energy, and all that friction and dampers took are the push's work, to
+// rounding and at any step. Losses that go by the speed half a step behind miss by 2 % here.
+TEST(ContactLaw, WorksAreCountedAsTheStepDoesThem) {
+  for (const double turn : {0.05, 0.3, 0.9}) {  // omega times the step
+    Node node;
+    const double step = turn / std::sqrt(law.frequency2), k = law.frequency2 * mass;
+    const double push[3] = {0.2 * law.friction * k * 0.06, 0.0, -k * 0.055};  // N; at rest 0.06 mm deep
+    node.x[2] = 0.25 - 0.06;
+    (void)node.touch(law, step);
+    double work = 0.0, lost = 0.0, rubbed = 0.0, start = 0.0, greatest = 0.0;
+    for (int c = 0; c < 3; ++c) node.v[c] = (c == 2 ? 0.02 : 0.06) * std::sqrt(law.frequency2);
+    for (int n = 0; n < 2000; ++n) {
+      const double before[3] = {node.v[0], node.v[1], node.v[2]};
+      for (int c = 0; c < 3; ++c) node.x[c] += step * node.v[c];
+      const ContactSums sums = node.touch(law, step);
+      ASSERT_GT(0.25 - node.x[2], law.softening) << "beyond the linear part";
+      double kinetic = 0.0;
+      for (int c = 0; c < 3; ++c) {
+        node.v[c] += step * (node.force[c] + push[c]) / mass;
+        kinetic += 0.5 * mass * before[c] * node.v[c];
+        work += push[c] * step * before[c];
+      }
+      lost += sums.friction_work + sums.damping_work;
+      rubbed += sums.friction_work;
+      const double sum = kinetic + sums.energy + lost - work;
+      // the first step's losses had no force before them
+      if (n == 0) start = sum;
+      greatest = std::max({greatest, kinetic, sums.energy, lost});
+      ASSERT_NEAR(sum, start, 1e-11 * greatest) << "step " << n << " of " << turn;
+    }
+    EXPECT_GT(rubbed, 0.05 * greatest) << "it should have rubbed";
   }
 }
 

@@ -1,0 +1,198 @@
+// `./dev bench --speed` writes docs/speed.md: rates of the analysis beside those of a plain loop (plain_loop.hpp), all
+// measured in one run and in turn, so that a machine that grows slower slows all of them; medians over the rounds.
+//
+//   usage: weaveform_speed_table FILE.md [ROUNDS]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/plain_loop.hpp"
+#include "core/files/files.hpp"
+#include "core/version/version.hpp"
+#include "mesher/lattice/build.hpp"
+#include "mesher/scene/reader.hpp"
+#include "solver/ply/ply.hpp"
+#include "solver/solve.hpp"
+
+namespace {
+
+using namespace weaveform;
+
+constexpr double window = 0.25;  // s; of one measurement of a lattice
+constexpr double step = 1e-7;    // s; well below the stable step
+
+// Seconds and cell-steps of one measurement.
+struct Measured {
+  double seconds = 0.0, cell_steps = 0.0;
+  long steps = 0;
+};
+
+struct Case {
+  std::string name;
+  int cells = 0;
+  std::function<Measured(int threads)> run;
+  bool threaded = true;
+  std::vector<double> rate[2] = {};  // M cell-steps/s; one thread, two
+  std::vector<double> seconds[2] = {};
+  long steps = 0;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
+// A rippled lattice, its yarns in tension and in compression, its cells sheared both ways.
+struct Lattice {
+  Scene scene;
+  Card card = load_card("twintex-pw");
+  Mesh mesh;
+  Team one{1}, two{2};
+  std::unique_ptr<Ply> ply[2];
+
+  Lattice(int cells, double yarn_angle, YarnElement yarn, CellElement cell) {
+    const double side = cells * card.yarn[0].interval;
+    scene.blank.size = {side, side};
+    scene.blank.yarn_angle = yarn_angle;
+    scene.blank.fit = LineFit::none;
+    scene.model.yarn = yarn;
+    scene.model.cell = cell;
+    mesh = build_mesh(scene, card);
+    for (int t = 0; t < 2; ++t) {
+      ply[t] = std::make_unique<Ply>(
+          PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = t == 0 ? one : two});
+      State& state = ply[t]->state();
+      for (const int n : ply[t]->packed().packed_of_mesh) {
+        state.position[0][n] += 0.6 * std::sin(0.05 * state.position[1][n]);
+        state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
+        state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
+      }
+      (void)ply[t]->renew_stable_step();
+      ply[t]->compute_forces(step);
+    }
+  }
+
+  Measured run(int threads) {
+    using Clock = std::chrono::steady_clock;
+    Ply& its = *ply[threads - 1];
+    Measured measured;
+    for (const auto begin = Clock::now(); measured.seconds < window;
+         measured.seconds = std::chrono::duration<double>(Clock::now() - begin).count())
+      for (int k = 0; k < 4; ++k, ++measured.steps) {
+        its.compute_forces(step);
+        its.advance(step, step, false);
+      }
+    measured.cell_steps = static_cast<double>(measured.steps) * mesh.cells.size();
+    return measured;
+  }
+};
+
+Case lattice_case(const std::string& name, int cells, double angle, YarnElement yarn = YarnElement::truss,
+                  CellElement cell = CellElement::membrane) {
+  const auto lattice = std::make_shared<Lattice>(cells, angle, yarn, cell);
+  return {.name = name, .cells = lattice->mesh.cells.size(), .run = [lattice](int t) { return lattice->run(t); }};
+}
+
+// An example's whole solve in memory, without frames; the cells counted are those that symmetry leaves to solve.
+Case scene_case(const std::string& name, const std::string& example, std::vector<std::string> overrides) {
+  overrides.emplace_back("output.frames=0");
+  const auto scene = std::make_shared<Scene>(
+      read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + example + ".toml", overrides));
+  const auto card = std::make_shared<Card>(load_card(scene->fabric.material, scene->file));
+  const auto mesh = std::make_shared<Mesh>(build_mesh(*scene, *card));
+  Case result{.name = name, .run = [=](int threads) {
+                const SolveResult solved =
+                    solve(*mesh, *scene, *card, {}, {.threads = threads, .resume = false, .quiet = true});
+                const auto& s = solved.statistics;
+                return Measured{s.wall_s, static_cast<double>(s.steps) * s.cells_solved, s.steps};
+              }};
+  result.cells = mesh->cells.size();
+  return result;
+}
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const int n : {30, 100, 400, 1000}) cases.push_back(lattice_case(fmt::format("flat {}²", n), n, 0.0));
+  for (const int n : {26, 100}) cases.push_back(lattice_case(fmt::format("cut at 45°, side of {} cells", n), n, 45.0));
+  cases.push_back(lattice_case("flat 100², beams", 100, 0.0, YarnElement::beam));
+  cases.push_back(
+      lattice_case("flat 100², rotation-free cells", 100, 0.0, YarnElement::truss, CellElement::rotation_free));
+  cases.push_back(scene_case("bias extension PW, coarsening 1", "bias_extension_pw", {}));
+  cases.push_back(scene_case("hemisphere, fast scene (coarsening 2)", "hemisphere_pw_fast", {}));
+  cases.push_back(scene_case("hemisphere, fast scene, coarsening 0.5", "hemisphere_pw_fast",
+                             {"blank.coarsening=0.5", "tools.punch.travel=10", "analysis.duration=0.01"}));
+  cases.push_back(scene_case("hemisphere, plain scene, coarsening 2", "hemisphere_pw", {"blank.coarsening=2"}));
+  return cases;
+}
+
+std::string table(const std::vector<Case>& cases, double mark) {
+  std::string text =
+      "| | cells | 1 thread, M cell-steps/s | to the mark | 2 threads to 1 | steps | solve, s |\n"
+      "|---|---:|---:|---:|---:|---:|---:|\n";
+  for (const Case& one : cases) {
+    const double rate = median(one.rate[0]), both = median(one.rate[1]);
+    const bool whole = one.steps > 0;
+    text += fmt::format("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {} | {} |\n", one.name, one.cells, rate, rate / mark,
+                        both / rate, whole ? fmt::format("{}", one.steps) : "",
+                        whole ? fmt::format("{:.3f}, {:.3f}", median(one.seconds[0]), median(one.seconds[1])) : "");
+  }
+  return text;
+}
+
+int write_table(const std::filesystem::path& file, int rounds) {
+  std::vector<Case> cases = all_cases();
+  const std::vector<int> plain_size = {100, 400, 1000};
+  std::vector<std::vector<double>> plain(plain_size.size()), plain_single(plain_size.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t k = 0; k < plain_size.size(); ++k) {
+      plain[k].push_back(plain_loop_rate<double>(plain_size[k], window));
+      plain_single[k].push_back(plain_loop_rate<float>(plain_size[k], window));
+    }
+    for (Case& one : cases)
+      for (int t = 0; t < 2; ++t) {
+        const Measured found = one.run(t + 1);
+        one.rate[t].push_back(1e-6 * found.cell_steps / found.seconds);
+        one.seconds[t].push_back(found.seconds);
+        if (one.name.find("flat") == std::string::npos && one.name.find("cut") == std::string::npos)
+          one.steps = found.steps;
+      }
+    fmt::print(stderr, "round {} of {}\n", round + 1, rounds);
+  }
+  const double mark = median(plain[0]);
+  std::string text = fmt::format(
+      "# Rates\n\n"
+      "Written by `./dev bench --speed` (medians of {} rounds in turn, one run; {}). A cell-step is one cell, its two\n"
+      "yarns and one node in one step. The mark is a plain loop over a structured trellis in double precision at 100²\n"
+      "(`bench/plain_loop.cpp`: one card, relaxed floating point, no grips, contact, viscosity, energies or checks).\n"
+      "Scenes are whole solves in memory, without frames, and count the cells that symmetry leaves to solve.\n\n"
+      "Rates of machines differ and so do those of one machine from hour to hour; ratios within one run are what to "
+      "look at.\n\n"
+      "| plain loop | double, M cell-steps/s | to the mark | single | to the mark |\n|---|---:|---:|---:|---:|\n",
+      rounds, version_line());
+  for (std::size_t k = 0; k < plain_size.size(); ++k)
+    text += fmt::format("| {}² | {:.1f} | {:.2f} | {:.1f} | {:.2f} |\n", plain_size[k], median(plain[k]),
+                        median(plain[k]) / mark, median(plain_single[k]), median(plain_single[k]) / mark);
+  text += "\n" + table(cases, mark);
+  write_text_whole(file, text);
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count < 2) {
+    std::fputs("usage: weaveform_speed_table FILE.md [ROUNDS]\n", stderr);
+    return 2;
+  }
+  return write_table(arguments[1], count > 2 ? std::max(1, std::atoi(arguments[2])) : 5);
+}
