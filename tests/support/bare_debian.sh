@@ -51,6 +51,8 @@ bare_debian() {
   debootstrap --variant=minbase bookworm "$folder" "$(mirror)" >/dev/null
   copy_network_settings
   mount -t proc proc "$folder/proc"
+  # as every installed Debian has it: a browser's driver is spoken to at localhost
+  echo "127.0.0.1 localhost" >"$folder/etc/hosts"
   # terminals, which some tests open
   mount -t devpts -o newinstance,ptmxmode=0666 devpts "$folder/dev/pts"
   ln -sf pts/ptmx "$folder/dev/ptmx"
