@@ -4,46 +4,16 @@
 // stable step, both also relative to truss + membrane (docs/elements.md).
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <memory>
-#include <string>
-
-#include "fabric/card/card.hpp"
-#include "mesher/lattice/build.hpp"
-#include "solver/ply/ply.hpp"
+#include "bench/rippled_lattice.hpp"
 
 namespace {
 
 using namespace weaveform;
 
-struct Lattice {
-  Scene scene;
-  Card card = load_card("twintex-pw");
-  Mesh mesh;
-  std::unique_ptr<Ply> ply;
-
-  Lattice(int cells, double yarn_angle, const ModelSpec& model) {
-    const double side = cells * card.yarn[0].interval;
-    scene.blank.size = {side, side};
-    scene.blank.yarn_angle = yarn_angle;
-    scene.blank.fit = LineFit::none;
-    scene.model = model;
-    mesh = build_mesh(scene, card);
-    ply = std::make_unique<Ply>(PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = alone()});
-    // yarns in tension and in compression, cells sheared both ways, so that no branch could be cheap by luck
-    State& state = ply->state();
-    for (const int n : ply->packed().packed_of_mesh) {
-      state.position[0][n] += 0.6 * std::sin(0.05 * state.position[1][n]);
-      state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
-      state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
-    }
-  }
-};
-
 enum Part { whole_step, forces_only, motion_only };
 constexpr double step = 1e-7;  // s; well below the stable step
 
-void count(benchmark::State& bench, const Lattice& lattice) {
+void count(benchmark::State& bench, const RippledLattice& lattice) {
   bench.counters["cell-steps/s"] =
       benchmark::Counter(static_cast<double>(lattice.mesh.cells.size()), benchmark::Counter::kIsIterationInvariantRate);
 }
@@ -51,7 +21,7 @@ void count(benchmark::State& bench, const Lattice& lattice) {
 void run(benchmark::State& bench, Formulation formulation, double yarn_angle, Part part) {
   ModelSpec model;
   model.formulation = formulation;
-  Lattice lattice(static_cast<int>(bench.range(0)), yarn_angle, model);
+  RippledLattice lattice(static_cast<int>(bench.range(0)), yarn_angle, model, alone());
   lattice.ply->compute_forces(step);
   for ([[maybe_unused]] auto _ : bench) {
     if (part != motion_only) lattice.ply->compute_forces(step);
@@ -67,7 +37,7 @@ void elements(benchmark::State& bench, YarnElement yarn, CellElement cell) {
   ModelSpec model;
   model.yarn = yarn;
   model.cell = cell;
-  Lattice lattice(static_cast<int>(bench.range(0)), 0.0, model);
+  RippledLattice lattice(static_cast<int>(bench.range(0)), 0.0, model, alone());
   const double stable_step = lattice.ply->renew_stable_step().step;
   for ([[maybe_unused]] auto _ : bench) {
     lattice.ply->compute_forces(step);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -16,11 +15,11 @@
 #include <vector>
 
 #include "bench/plain_loop.hpp"
+#include "bench/rippled_lattice.hpp"
 #include "core/files/files.hpp"
 #include "core/version/version.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
-#include "solver/ply/ply.hpp"
 #include "solver/solve.hpp"
 
 namespace {
@@ -39,8 +38,8 @@ struct Measured {
 struct Case {
   std::string name;
   int cells = 0;
+  bool whole = false;  // a scene from its start to its end, whose steps and seconds are told
   std::function<Measured(int threads)> run;
-  bool threaded = true;
   std::vector<double> rate[2] = {};  // M cell-steps/s; one thread, two
   std::vector<double> seconds[2] = {};
   long steps = 0;
@@ -51,39 +50,22 @@ double median(std::vector<double> values) {
   return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
-// A rippled lattice, its yarns in tension and in compression, its cells sheared both ways.
+// The same lattice for one thread and for two.
 struct Lattice {
-  Scene scene;
-  Card card = load_card("twintex-pw");
-  Mesh mesh;
   Team one{1}, two{2};
-  std::unique_ptr<Ply> ply[2];
+  RippledLattice of[2];
 
-  Lattice(int cells, double yarn_angle, YarnElement yarn, CellElement cell) {
-    const double side = cells * card.yarn[0].interval;
-    scene.blank.size = {side, side};
-    scene.blank.yarn_angle = yarn_angle;
-    scene.blank.fit = LineFit::none;
-    scene.model.yarn = yarn;
-    scene.model.cell = cell;
-    mesh = build_mesh(scene, card);
-    for (int t = 0; t < 2; ++t) {
-      ply[t] = std::make_unique<Ply>(
-          PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = t == 0 ? one : two});
-      State& state = ply[t]->state();
-      for (const int n : ply[t]->packed().packed_of_mesh) {
-        state.position[0][n] += 0.6 * std::sin(0.05 * state.position[1][n]);
-        state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
-        state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
-      }
-      (void)ply[t]->renew_stable_step();
-      ply[t]->compute_forces(step);
+  Lattice(int cells, double yarn_angle, const ModelSpec& model)
+      : of{{cells, yarn_angle, model, one}, {cells, yarn_angle, model, two}} {
+    for (auto& lattice : of) {
+      (void)lattice.ply->renew_stable_step();
+      lattice.ply->compute_forces(step);
     }
   }
 
   Measured run(int threads) {
     using Clock = std::chrono::steady_clock;
-    Ply& its = *ply[threads - 1];
+    Ply& its = *of[threads - 1].ply;
     Measured measured;
     for (const auto begin = Clock::now(); measured.seconds < window;
          measured.seconds = std::chrono::duration<double>(Clock::now() - begin).count())
@@ -91,15 +73,18 @@ struct Lattice {
         its.compute_forces(step);
         its.advance(step, step, false);
       }
-    measured.cell_steps = static_cast<double>(measured.steps) * mesh.cells.size();
+    measured.cell_steps = static_cast<double>(measured.steps) * of[0].mesh.cells.size();
     return measured;
   }
 };
 
 Case lattice_case(const std::string& name, int cells, double angle, YarnElement yarn = YarnElement::truss,
                   CellElement cell = CellElement::membrane) {
-  const auto lattice = std::make_shared<Lattice>(cells, angle, yarn, cell);
-  return {.name = name, .cells = lattice->mesh.cells.size(), .run = [lattice](int t) { return lattice->run(t); }};
+  ModelSpec model;
+  model.yarn = yarn;
+  model.cell = cell;
+  const auto lattice = std::make_shared<Lattice>(cells, angle, model);
+  return {.name = name, .cells = lattice->of[0].mesh.cells.size(), .run = [lattice](int t) { return lattice->run(t); }};
 }
 
 // An example's whole solve in memory, without frames; the cells counted are those that symmetry leaves to solve.
@@ -109,7 +94,7 @@ Case scene_case(const std::string& name, const std::string& example, std::vector
       read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + example + ".toml", overrides));
   const auto card = std::make_shared<Card>(load_card(scene->fabric.material, scene->file));
   const auto mesh = std::make_shared<Mesh>(build_mesh(*scene, *card));
-  Case result{.name = name, .run = [=](int threads) {
+  Case result{.name = name, .whole = true, .run = [=](int threads) {
                 const SolveResult solved =
                     solve(*mesh, *scene, *card, {}, {.threads = threads, .resume = false, .quiet = true});
                 const auto& s = solved.statistics;
@@ -140,10 +125,9 @@ std::string table(const std::vector<Case>& cases, double mark) {
       "|---|---:|---:|---:|---:|---:|---:|\n";
   for (const Case& one : cases) {
     const double rate = median(one.rate[0]), both = median(one.rate[1]);
-    const bool whole = one.steps > 0;
     text += fmt::format("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {} | {} |\n", one.name, one.cells, rate, rate / mark,
-                        both / rate, whole ? fmt::format("{}", one.steps) : "",
-                        whole ? fmt::format("{:.3f}, {:.3f}", median(one.seconds[0]), median(one.seconds[1])) : "");
+                        both / rate, one.whole ? fmt::format("{}", one.steps) : "",
+                        one.whole ? fmt::format("{:.3f}, {:.3f}", median(one.seconds[0]), median(one.seconds[1])) : "");
   }
   return text;
 }
@@ -162,8 +146,7 @@ int write_table(const std::filesystem::path& file, int rounds) {
         const Measured found = one.run(t + 1);
         one.rate[t].push_back(1e-6 * found.cell_steps / found.seconds);
         one.seconds[t].push_back(found.seconds);
-        if (one.name.find("flat") == std::string::npos && one.name.find("cut") == std::string::npos)
-          one.steps = found.steps;
+        if (one.whole) one.steps = found.steps;
       }
     fmt::print(stderr, "round {} of {}\n", round + 1, rounds);
   }

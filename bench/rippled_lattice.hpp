@@ -1,0 +1,38 @@
+// A square of the plain weave, rippled so that its yarns are in tension and in compression and its cells sheared both
+// ways: no branch could be cheap by luck. What the benchmarks step.
+#pragma once
+
+#include <cmath>
+#include <memory>
+
+#include "fabric/card/card.hpp"
+#include "mesher/lattice/build.hpp"
+#include "solver/ply/ply.hpp"
+
+namespace weaveform {
+
+struct RippledLattice {
+  Scene scene;
+  Card card = load_card("twintex-pw");
+  Mesh mesh;
+  std::unique_ptr<Ply> ply;
+
+  // `cells` along each side; `yarn_angle` in degrees.
+  RippledLattice(int cells, double yarn_angle, const ModelSpec& model, Team& team) {
+    const double side = cells * card.yarn[0].interval;
+    scene.blank.size = {side, side};
+    scene.blank.yarn_angle = yarn_angle;
+    scene.blank.fit = LineFit::none;
+    scene.model = model;
+    mesh = build_mesh(scene, card);
+    ply = std::make_unique<Ply>(PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = team});
+    State& state = ply->state();
+    for (const int n : ply->packed().packed_of_mesh) {
+      state.position[0][n] += 0.6 * std::sin(0.05 * state.position[1][n]);
+      state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
+      state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
+    }
+  }
+};
+
+}  // namespace weaveform
