@@ -1,7 +1,6 @@
 // A plain loop over a structured trellis, the mark that the solver's rates are told against: one membrane of one point
 // and two trusses a node, a constant number of nodes a row, plain arrays, relaxed floating point, a cubic law and a
-// logarithm of one cell's strain; no contact, no grips, no energies, no viscosity, nothing watched. What a good engineer
-// writes in a day for one mesh and one card.
+// logarithm of one cell's strain; no contact, no grips, no energies, no viscosity, nothing watched.
 #pragma once
 
 namespace weaveform {

@@ -37,7 +37,8 @@ public:
   [[nodiscard]] double mass() const { return mass_; }                        // tonne
   [[nodiscard]] double displacement() const { return state_.displacement; }  // mm
   [[nodiscard]] double velocity() const { return state_.velocity; }          // mm/s
-  [[nodiscard]] double kinetic_energy(double time, double reaction) const;   // mJ; at the time of the last advance
+  // mJ; m v- v+/2 at the time of the last advance, which may be a little below zero where the tool turns
+  [[nodiscard]] double kinetic_energy(double time, double reaction) const;
   [[nodiscard]] double work() const { return state_.work; }                  // mJ; put in from outside
   [[nodiscard]] double damping_work() const { return state_.damping_work; }  // mJ; of the guide
 

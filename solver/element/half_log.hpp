@@ -6,7 +6,7 @@
 //
 // Method: with the power of two that is nearest to a/b, ln(a/b)/2 = k ln2/2 + atanh(r), r = (a - 2^k b)/(a + 2^k b), and
 // |r| <= 0.2005, since what k rounds is log2(a/b) to 0.0861 (a mantissa for its logarithm). atanh(r)/r is a polynomial in
-// r^2 of least greatest error, 6e-19, found by a Chebyshev fit in 40 digits.
+// r^2 that is off by 6e-19 at most, a Chebyshev fit in 40 digits.
 #pragma once
 
 #include <bit>

@@ -13,7 +13,7 @@ namespace weaveform {
 
 // Force per length, N/L (N/mm): the nodal force is this times the vector between the nodes. `length_squared` is L^2 and
 // `rest` L0, in mm; no square root is needed when the section is incompressible. Sets `inverse` to 1/L^2, which comes
-// with the strain's own division: vector divisions were two thirds of the loop's time.
+// with the strain's own division: one for four made the loop a seventh faster.
 template <Section section, class Law>
 [[gnu::always_inline]] inline double yarn_force_per_length(const Law& law, double length_squared, double rest,
                                                            double area, double& inverse) {
