@@ -24,6 +24,7 @@ struct RippledLattice {
     scene.blank.yarn_angle = yarn_angle;
     scene.blank.fit = LineFit::none;
     scene.model = model;
+    scene.analysis.step_bound = StepBound::stiffest;  // the step is set once, before strains are known
     mesh = build_mesh(scene, card);
     ply = std::make_unique<Ply>(PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = team});
     State& state = ply->state();

@@ -15,9 +15,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 reached=analysis.step_bound=reached
+stiffest=analysis.step_bound=stiffest
 # name, scene, overrides
 scenes=(
-  "truss bias_extension_pw blank.coarsening=4"
+  "truss bias_extension_pw blank.coarsening=4 $stiffest"
   "beam_contravariant bias_extension_tw blank.coarsening=4 model.yarn=beam model.formulation=contravariant $reached"
   "seatbelt_partner bias_extension_pw blank.coarsening=4 model.yarn=seatbelt model.partner=compression $reached"
   "perturbed bias_extension_pw blank.coarsening=4 analysis.perturbation=0.001 $reached"
@@ -25,13 +26,13 @@ scenes=(
   "frame_rigid shear_frame_pw blank.coarsening=4 frame.rigid=true $reached"
   "incremental shear_frame_tw blank.coarsening=4 model.formulation=incremental $reached"
   "side_frame shear_frame_pw blank.coarsening=4 model.formulation=side-frame $reached"
-  "weight cantilever_pw"
-  "quarter_contact hemisphere_pw_fast"
-  "whole_shell hemisphere_pw_fast blank.coarsening=4 model.cell=shell model.symmetry=none"
+  "weight cantilever_pw $reached"
+  "quarter_contact hemisphere_pw_fast $reached"
+  "whole_shell hemisphere_pw_fast blank.coarsening=4 model.cell=shell model.symmetry=none $stiffest"
   "rotation_free hemisphere_pw blank.coarsening=4 $reached"
   "drape drape_hemisphere $reached"
-  "cad cad_box"
-  "cad_two_threads cad_box +threads"
+  "cad cad_box $reached"
+  "cad_two_threads cad_box $reached +threads"
 )
 
 # run BINARY DIR SCENE OVERRIDE...
@@ -49,7 +50,7 @@ run_with_stops() {
   local binary=$1 output=$2 status=0
   stops=0
   timeout --signal=INT 1 "$binary" run "$examples/bias_extension_pw.toml" --output "$output" --quiet \
-    --set blank.coarsening=2 >"$output.log" 2>&1 || status=$?
+    --set blank.coarsening=2 --set $stiffest >"$output.log" 2>&1 || status=$?
   while ((status == 124)); do
     status=0
     stops=$((stops + 1))

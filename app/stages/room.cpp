@@ -127,7 +127,7 @@ std::string time_cause(const Resolved& model, const Solve& solve) {
     return fmt::format("the duration chosen for this scene is {:.4g} s; look at its travels and lengths",
                        solve.duration);
   std::string advice = "raise blank.coarsening or analysis.mass_scale";
-  if (scene.analysis.step_bound == StepBound::stiffest) advice += ", or set analysis.step_bound = \"reached\"";
+  if (scene.analysis.step_bound == StepBound::stiffest) advice += ", or leave analysis.step_bound at \"reached\"";
   return advice;
 }
 

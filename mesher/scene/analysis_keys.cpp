@@ -28,10 +28,10 @@ const std::vector<Key<AnalysisSpec>>& analysis_keys() {
           {.name = "step_factor", .unit = "1", .limits = between(1e-4, 4), .doc = "fraction of the stable step"}),
       key<&AnalysisSpec::step_bound>(
           {.name = "step_bound",
-           .doc =
-               "stiffness of the yarns that the stable step is taken from: `stiffest`, the law's greatest up to a true "
-               "strain of 0.5; `reached`, the greatest at strains that yarns have reached so far, watched at every "
-               "step: two to three times fewer steps where they decrimp (docs/accuracy.md)"}),
+           .doc = "stiffness of the yarns that the stable step is taken from: `reached`, the greatest at strains that "
+                  "yarns have reached so far, watched at every step; `stiffest`, the law's greatest up to a true "
+                  "strain of "
+                  "0.5: two to eight times more steps where yarns decrimp (docs/accuracy.md)"}),
       key<&AnalysisSpec::bending_every>(
           {.name = "bending_every",
            .unit = "1",
@@ -52,8 +52,8 @@ const std::vector<Key<AnalysisSpec>>& analysis_keys() {
            .unit = "1",
            .limits = above(0, 1),
            .doc = "factor on the stiffness of contact: below 1 the fabric sinks further into the tools (the greatest "
-                  "penetration is in the summary), and contact takes less of the step; auto: 1, and 0.5 with "
-                  "`step_bound = \"reached\"`"}),
+                  "penetration is in the summary), and contact takes less of the step; auto: 0.5, and 1 with "
+                  "`step_bound = \"stiffest\"`"}),
       key<&AnalysisSpec::step_check>({.name = "step_check", .doc = "stop when the step is above the stable one"}),
       key<&AnalysisSpec::damping>(
           {.name = "damping",

@@ -106,8 +106,8 @@ constexpr auto choices_of(ToolShape) {
                                            {ToolShape::triangles, "triangles"}});
 }
 
-// analysis.step_bound: "stiffest": the stable step is that of the yarns' stiffest tangent; "reached": of the stiffest
-// they have reached (solver/ply/reach.hpp).
+// analysis.step_bound: "reached": the stable step is that of the stiffest tangent that yarns have reached
+// (solver/ply/reach.hpp); "stiffest": of their law's stiffest.
 enum class StepBound { stiffest, reached };
 constexpr auto choices_of(StepBound) {
   return std::to_array<Choice<StepBound>>({{StepBound::stiffest, "stiffest"}, {StepBound::reached, "reached"}});

@@ -123,12 +123,12 @@ struct AnalysisSpec {
   Auto duration;             // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
   Auto loading_speed;        // mm/s; greatest speed of any grip; an alternative to duration
   double step_factor = 0.9;  // fraction of the stable step
-  StepBound step_bound = StepBound::stiffest;
-  int bending_every = 1;         // steps from one evaluation of bending to the next
-  double mass_scale = 1.0;       // factor on the fabric's mass, not on its weight
-  Auto contact_stiffness;        // 1; factor on the contact springs of the tools; auto: 1, "reached" 0.5
-  bool step_check = true;        // stop when the step is above the stable one
-  Auto damping;                  // 1/s; mass-proportional; auto: chosen from the duration
+  StepBound step_bound = StepBound::reached;
+  int bending_every = 1;    // steps from one evaluation of bending to the next
+  double mass_scale = 1.0;  // factor on the fabric's mass, not on its weight
+  Auto contact_stiffness;   // 1; factor on the contact springs of the tools; auto: 0.5, with step_bound "stiffest" 1
+  bool step_check = true;   // stop when the step is above the stable one
+  Auto damping;             // 1/s; mass-proportional; auto: chosen from the duration
   double yarn_viscosity = 0.06;  // 1; fraction of critical damping of the yarn elements' highest frequency
   double energy_limit = 0.05;    // the run fails when the energy-balance error passes this fraction
   std::array<double, 3> gravity = {0.0, 0.0, 0.0};  // mm/s^2; acceleration of the fabric by its weight

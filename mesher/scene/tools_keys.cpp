@@ -93,8 +93,9 @@ const std::vector<Key<ToolSpec>>& tool_keys() {
           {.name = "mass",
            .unit = "tonne",
            .limits = above(0, 1e6),
-           .doc = "of a tool pushed by a force; auto: that of the blank, four times that with `step_bound = "
-                  "\"reached\"`, which neither sets the step nor lags behind it"}),
+           .doc =
+               "of a tool pushed by a force; auto: four times that of the blank, which neither sets the step nor lags "
+               "behind it; with `step_bound = \"stiffest\"` that of the blank"}),
       key<&ToolSpec::damping>(
           {.name = "damping",
            .unit = "1/s",

@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace weaveform {
+namespace {
+
+// A perturbed start snaps taut and slack at once, and nearly all of its energy goes within the first oscillations of the
+// stiffest yarns. The balance is weakest there: off by 12 to 18 % of that energy at the full step, by less than 1 % at a
+// quarter of it.
+constexpr std::int64_t settling_steps = 500;
+constexpr double settling_share = 0.25;
+
+}  // namespace
 
 World::World(const WorldSetup& setup)
     : scene_(setup.scene),
@@ -60,6 +69,7 @@ void World::renew_step() {
   viscous_time_ = xi * stable_.step;
   stable_.step *= std::sqrt(1.0 + xi * xi) - xi;
   step_ = scene_.analysis.step_factor * stable_.step;
+  if (scene_.analysis.perturbation > 0.0 && steps() < settling_steps) step_ *= settling_share;
   for (auto& ply : plies_) ply->set_step(viscous_time_, step_);
   if (smallest_step_ == 0.0 || step_ < smallest_step_) {
     smallest_step_ = step_;
@@ -99,18 +109,8 @@ void World::advance(bool last) {
 // Everything but the internal energy, which only output times need.
 void World::close_balance() {
   EnergyFlow sum;
-  for (const auto& ply : plies_) {
-    const EnergyFlow flow = ply->energy_flow();
-    sum.kinetic += flow.kinetic;
-    sum.lost += flow.lost;
-    sum.put_in += flow.put_in;
-  }
-  if (tools_) {
-    const EnergyFlow flow = tools_->energy_flow();
-    sum.kinetic += flow.kinetic;
-    sum.lost += flow.lost;
-    sum.put_in += flow.put_in;
-  }
+  for (const auto& ply : plies_) sum.add(ply->energy_flow());
+  if (tools_) sum.add(tools_->energy_flow());
   balance_.kinetic = parts_ * sum.kinetic;
   balance_.damping = parts_ * sum.lost;
   balance_.external = parts_ * sum.put_in;

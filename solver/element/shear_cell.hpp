@@ -40,9 +40,10 @@ struct KernelShear {
   }
 };
 
+// Sets `square` to sin^2 gamma.
 template <Formulation formulation, Thickness thickness, class Law>
 [[gnu::always_inline]] inline CellForce shear_cell_force(const KernelShear<Law>& law, const double (&g1)[3],
-                                                         const double (&g2)[3], double volume) {
+                                                         const double (&g2)[3], double volume, double& square) {
   static_assert(formulation == Formulation::energy || formulation == Formulation::contravariant,
                 "the formulations with a history have kernels of their own (incremental_cell.hpp)");
   // a cell without area, as rows are padded with, may have no directions
@@ -58,8 +59,9 @@ template <Formulation formulation, Thickness thickness, class Law>
   double s = dot * inverse;
   s = s > limit ? limit : s;
   s = s < -limit ? -limit : s;
+  square = s * s;
   double force = volume * law.stress(half_log(1.0 + s, 1.0 - s));
-  if constexpr (thickness == Thickness::constant) force *= std::sqrt(1.0 - s * s);
+  if constexpr (thickness == Thickness::constant) force *= std::sqrt(1.0 - square);
   const double cross = force * inverse;
   double along1 = 0.0, along2 = 0.0;
   if constexpr (formulation == Formulation::energy) {

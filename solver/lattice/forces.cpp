@@ -93,7 +93,9 @@ struct FabricForces::Kernels {
   double look_ahead = 0.0;                       // s
   // per row, so that sums have one order for any number of threads
   std::array<std::vector<YarnSums>, 2> row_sums;  // warp, weft
-  std::array<YarnSums, 2> sums;                   // of all yarns in the last call
+  std::vector<double> row_sharpest;
+  std::array<YarnSums, 2> sums;  // of all yarns in the last call
+  double sharpest = 0.0;         // sin^2 gamma, of all cells
   bool has_history;
   CellKernels cell{};
   HistoryCellKernels history_cell{};
@@ -112,6 +114,7 @@ struct FabricForces::Kernels {
         yarn_law{shape_yarn_law(yarn_laws[0], "warp"), shape_yarn_law(yarn_laws[1], "weft")},
         shear(shape_shear_law(card.shear)),
         row_sums{std::vector<YarnSums>(packed_mesh.rows), std::vector<YarnSums>(packed_mesh.rows)},
+        row_sharpest(packed_mesh.rows, 0.0),
         has_history(model.formulation == Formulation::incremental || model.formulation == Formulation::side_frame),
         warp_runs(padded_runs(packed_mesh.warp_runs)),
         weft_runs(padded_runs(packed_mesh.weft_runs)),
@@ -237,11 +240,13 @@ struct FabricForces::Kernels {
     const double* area = packed.cell_area.data() + offset;
     for (int r = cell_runs.first[j]; r < cell_runs.first[j + 1]; ++r) {
       const auto [begin, end] = cell_runs.run[r];
+      double found = 0.0;
       if (has_history)
-        history_cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end,
-                         lattice_history.arrays(offset, foreign ? &s.spare_history : nullptr), out);
+        found = history_cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end,
+                                 lattice_history.arrays(offset, foreign ? &s.spare_history : nullptr), out);
       else
-        cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end, out);
+        found = cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end, out);
+      if (!foreign) row_sharpest[j] = std::max(row_sharpest[j], found);
     }
   }
 
@@ -262,6 +267,7 @@ struct FabricForces::Kernels {
       const Run range = reach(j);
       for (auto& buffer : s.along) buffer.clear(range);
       for (auto& family : row_sums) family[j] = {};
+      row_sharpest[j] = 0.0;
       along_row(state, j, s);
       between_rows(state, j, range, s);
       for (int c = 0; c < 3; ++c)
@@ -297,10 +303,12 @@ struct FabricForces::Kernels {
     double* const weft[3] = {loose_weft_force[0].data(), loose_weft_force[1].data(), loose_weft_force[2].data()};
     const LooseCellView view{cells.size(), cells.node[0].data(), cells.warp_coefficient[0].data(),
                              cells.weft_coefficient[0].data(), cells.area.data()};
+    double found = 0.0;
     if (has_history)
-      history_cell.loose(shear.pointer(), view, thickness, x, loose_history.arrays(0), warp, weft);
+      found = history_cell.loose(shear.pointer(), view, thickness, x, loose_history.arrays(0), warp, weft);
     else
-      cell.loose(shear.pointer(), view, thickness, x, warp, weft);
+      found = cell.loose(shear.pointer(), view, thickness, x, warp, weft);
+    sharpest = std::max(sharpest, found);
     for (int c = 0; c < 3; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < cells.size(); ++e)
@@ -325,6 +333,7 @@ void FabricForces::compute(State& state) {
     k.sums[f] = {};
     for (const YarnSums& row : k.row_sums[f]) k.add(k.sums[f], row);
   }
+  k.sharpest = k.row_sharpest.empty() ? 0.0 : *std::max_element(k.row_sharpest.begin(), k.row_sharpest.end());
   for (int f = 0; f < 2; ++f) k.loose_yarn_forces(state, f);
   k.loose_cell_forces(state);
   if (k.has_history) {
@@ -348,6 +357,10 @@ std::array<StrainRange, 2> FabricForces::strains() const {
     strains[f] = {0.5 * std::log(std::max(least, kernels_->sums[f].shortest)),
                   0.5 * std::log(kernels_->sums[f].longest)};
   return strains;
+}
+
+double FabricForces::sharpest() const {
+  return kernels_->sharpest;
 }
 
 double FabricForces::viscous_power() const {

@@ -40,6 +40,9 @@ public:
   // at the rate they had; zero strain is among them.
   [[nodiscard]] std::array<StrainRange, 2> strains() const;
 
+  // sin^2 gamma of the most sheared cell in the last call.
+  [[nodiscard]] double sharpest() const;
+
   // mJ/s; power of the yarns' viscosity in the last call.
   [[nodiscard]] double viscous_power() const;
   // mJ; work done on the cells so far, for formulations with a history (0 for the others).

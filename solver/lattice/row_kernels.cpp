@@ -14,6 +14,18 @@ namespace {
   longest = high > longest ? high : longest;
 }
 
+// Likewise the greatest sin^2 gamma of cells.
+[[gnu::always_inline]] inline void hold_shear(double square, double area, double& sharpest) {
+  const double counted = area > 0.0 ? square : 0.0;
+  sharpest = counted > sharpest ? counted : sharpest;
+}
+
+[[gnu::always_inline]] inline double shear_square(const double (&g1)[3], const double (&g2)[3]) {
+  const double dot = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
+  return dot * dot /
+         ((g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2]) * (g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2]));
+}
+
 template <Section section, class Law>
 YarnSums yarn_row(const void* law_pointer, const RowPair& rows, const RowPair& velocity, double rest, double viscosity,
                   double ahead, const double* area, int begin, int end, double* const (&t)[3]) {
@@ -104,18 +116,22 @@ struct Directions {
 }
 
 template <Formulation formulation, Thickness thickness_kind, class Shear>
-void cell_row(const void* shear_pointer, const RowPair& row_pair, double inverse1, double inverse2, const double* area,
-              double thickness, int begin, int end, const CellRowOutput& output) {
+double cell_row(const void* shear_pointer, const RowPair& row_pair, double inverse1, double inverse2,
+                const double* area, double thickness, int begin, int end, const CellRowOutput& output) {
   const Shear shear = *static_cast<const Shear*>(shear_pointer);
   const RowPair rows = row_pair;
   const CellRowOutput out = output;
   const double half1 = 0.5 * inverse1, half2 = 0.5 * inverse2;
-#pragma omp simd
+  double sharpest = 0.0;
+#pragma omp simd reduction(max : sharpest)
   for (int i = begin; i < end; ++i) {
     const Directions g = quad_directions(rows, i, half1, half2);
+    double square = 0.0;
     write_quad(out, i, half1, half2,
-               shear_cell_force<formulation, thickness_kind>(shear, g.warp, g.weft, area[i] * thickness));
+               shear_cell_force<formulation, thickness_kind>(shear, g.warp, g.weft, area[i] * thickness, square));
+    hold_shear(square, area[i], sharpest);
   }
+  return sharpest;
 }
 
 [[gnu::always_inline]] inline CellHistory load_history(const HistoryArrays& history, int i) {
@@ -131,15 +147,16 @@ void cell_row(const void* shear_pointer, const RowPair& row_pair, double inverse
 }
 
 template <Frame frame, Thickness thickness_kind, class Shear>
-void history_cell_row(const void* shear_pointer, const RowPair& row_pair, double inverse1, double inverse2,
-                      const double* area, double thickness, int begin, int end, const HistoryArrays& arrays,
-                      const CellRowOutput& output) {
+double history_cell_row(const void* shear_pointer, const RowPair& row_pair, double inverse1, double inverse2,
+                        const double* area, double thickness, int begin, int end, const HistoryArrays& arrays,
+                        const CellRowOutput& output) {
   const Shear shear = *static_cast<const Shear*>(shear_pointer);
   const RowPair rows = row_pair;
   const HistoryArrays history = arrays;
   const CellRowOutput out = output;
   const double half1 = 0.5 * inverse1, half2 = 0.5 * inverse2;
-#pragma omp simd
+  double sharpest = 0.0;
+#pragma omp simd reduction(max : sharpest)
   for (int i = begin; i < end; ++i) {
     const Directions g = quad_directions(rows, i, half1, half2);
     CellHistory state = load_history(history, i);
@@ -147,7 +164,9 @@ void history_cell_row(const void* shear_pointer, const RowPair& row_pair, double
         incremental_cell_force<frame, thickness_kind>(shear, g.warp, g.weft, area[i] * thickness, state);
     store_history(history, i, state);
     write_quad(out, i, half1, half2, force);
+    hold_shear(shear_square(g.warp, g.weft), area[i], sharpest);
   }
+  return sharpest;
 }
 
 // Directions of a cut cell from all its nodes, relative to the first, so that a translation leaves the bits alone.
@@ -180,32 +199,39 @@ void history_cell_row(const void* shear_pointer, const RowPair& row_pair, double
 }
 
 template <Formulation formulation, Thickness thickness_kind, class Shear>
-void loose_cells(const void* shear_pointer, const LooseCellView& view, double thickness,
-                 const double* const (&positions)[3], double* const (&warp_force)[3], double* const (&weft_force)[3]) {
+double loose_cells(const void* shear_pointer, const LooseCellView& view, double thickness,
+                   const double* const (&positions)[3], double* const (&warp_force)[3],
+                   double* const (&weft_force)[3]) {
   const Shear shear = *static_cast<const Shear*>(shear_pointer);
   const LooseCellView cells = view;
   const double* const x[3] = {positions[0], positions[1], positions[2]};
   double* const warp[3] = {warp_force[0], warp_force[1], warp_force[2]};
   double* const weft[3] = {weft_force[0], weft_force[1], weft_force[2]};
-#pragma omp simd
+  double sharpest = 0.0;
+#pragma omp simd reduction(max : sharpest)
   for (int c = 0; c < cells.count; ++c) {
     const Directions g = loose_directions(cells, x, c);
-    write_loose(warp, weft, c,
-                shear_cell_force<formulation, thickness_kind>(shear, g.warp, g.weft, cells.area[c] * thickness));
+    double square = 0.0;
+    write_loose(
+        warp, weft, c,
+        shear_cell_force<formulation, thickness_kind>(shear, g.warp, g.weft, cells.area[c] * thickness, square));
+    hold_shear(square, cells.area[c], sharpest);
   }
+  return sharpest;
 }
 
 template <Frame frame, Thickness thickness_kind, class Shear>
-void history_loose_cells(const void* shear_pointer, const LooseCellView& view, double thickness,
-                         const double* const (&positions)[3], const HistoryArrays& arrays,
-                         double* const (&warp_force)[3], double* const (&weft_force)[3]) {
+double history_loose_cells(const void* shear_pointer, const LooseCellView& view, double thickness,
+                           const double* const (&positions)[3], const HistoryArrays& arrays,
+                           double* const (&warp_force)[3], double* const (&weft_force)[3]) {
   const Shear shear = *static_cast<const Shear*>(shear_pointer);
   const LooseCellView cells = view;
   const HistoryArrays history = arrays;
   const double* const x[3] = {positions[0], positions[1], positions[2]};
   double* const warp[3] = {warp_force[0], warp_force[1], warp_force[2]};
   double* const weft[3] = {weft_force[0], weft_force[1], weft_force[2]};
-#pragma omp simd
+  double sharpest = 0.0;
+#pragma omp simd reduction(max : sharpest)
   for (int c = 0; c < cells.count; ++c) {
     const Directions g = loose_directions(cells, x, c);
     CellHistory state = load_history(history, c);
@@ -213,7 +239,9 @@ void history_loose_cells(const void* shear_pointer, const LooseCellView& view, d
         incremental_cell_force<frame, thickness_kind>(shear, g.warp, g.weft, cells.area[c] * thickness, state);
     store_history(history, c, state);
     write_loose(warp, weft, c, force);
+    hold_shear(shear_square(g.warp, g.weft), cells.area[c], sharpest);
   }
+  return sharpest;
 }
 
 template <Frame frame, Thickness thickness>

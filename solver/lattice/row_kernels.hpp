@@ -30,12 +30,13 @@ using YarnRow = YarnSums (*)(const void* law, const RowPair& rows, const RowPair
 // Cells with corners lower[i], lower[i+1], upper[i], upper[i+1]:
 //   p[c][i] = force on lower[i]   (the opposite on upper[i+1])
 //   q[c][i] = force on upper[i]   (the opposite on lower[i+1])
+// Every loop over cells returns the greatest sin^2 gamma among them.
 struct CellRowOutput {
   double* p[3];
   double* q[3];
 };
-using CellRow = void (*)(const void* shear, const RowPair& rows, double inverse_spacing1, double inverse_spacing2,
-                         const double* area, double thickness, int begin, int end, const CellRowOutput& out);
+using CellRow = double (*)(const void* shear, const RowPair& rows, double inverse_spacing1, double inverse_spacing2,
+                           const double* area, double thickness, int begin, int end, const CellRowOutput& out);
 
 // Loose elements (yarn ends, cut cells), one by one in vector lanes by gathering.
 struct LooseYarnView {
@@ -51,9 +52,9 @@ struct LooseCellView {
   const double *warp, *weft;  // coefficients, width per cell
   const double* area;
 };
-using LooseCellLoop = void (*)(const void* shear, const LooseCellView& cells, double thickness,
-                               const double* const (&x)[3], double* const (&warp_force)[3],
-                               double* const (&weft_force)[3]);
+using LooseCellLoop = double (*)(const void* shear, const LooseCellView& cells, double thickness,
+                                 const double* const (&x)[3], double* const (&warp_force)[3],
+                                 double* const (&weft_force)[3]);
 
 // The same for cells with a history: one array per member of CellHistory, in its order, read from `before` and written
 // to `after` (different arrays, so that two threads may both compute the row between their blocks).
@@ -61,12 +62,12 @@ struct HistoryArrays {
   const double* before[cell_history_size];
   double* after[cell_history_size];
 };
-using HistoryCellRow = void (*)(const void* shear, const RowPair& rows, double inverse_spacing1,
-                                double inverse_spacing2, const double* area, double thickness, int begin, int end,
-                                const HistoryArrays& history, const CellRowOutput& out);
-using HistoryLooseCellLoop = void (*)(const void* shear, const LooseCellView& cells, double thickness,
-                                      const double* const (&x)[3], const HistoryArrays& history,
-                                      double* const (&warp_force)[3], double* const (&weft_force)[3]);
+using HistoryCellRow = double (*)(const void* shear, const RowPair& rows, double inverse_spacing1,
+                                  double inverse_spacing2, const double* area, double thickness, int begin, int end,
+                                  const HistoryArrays& history, const CellRowOutput& out);
+using HistoryLooseCellLoop = double (*)(const void* shear, const LooseCellView& cells, double thickness,
+                                        const double* const (&x)[3], const HistoryArrays& history,
+                                        double* const (&warp_force)[3], double* const (&weft_force)[3]);
 
 struct YarnKernels {
   YarnRow row;

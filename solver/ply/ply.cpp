@@ -151,12 +151,7 @@ StoredEnergy Ply::stored_energy() {
 
 EnergyFlow Ply::energy_flow() const {
   EnergyFlow sum = {.kinetic = kinetic_, .lost = damping_work_, .put_in = holds_.work()};
-  for (const auto& actor : actors_) {
-    const EnergyFlow flow = actor->energy_flow();
-    sum.kinetic += flow.kinetic;
-    sum.lost += flow.lost;
-    sum.put_in += flow.put_in;
-  }
+  for (const auto& actor : actors_) sum.add(actor->energy_flow());
   return sum;
 }
 

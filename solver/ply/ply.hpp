@@ -74,8 +74,8 @@ public:
   [[nodiscard]] StableStep renew_stable_step();
   // `viscous_time` (s): beta of yarn.hpp; `step` (s): the one to be taken. Again after an archive was read.
   void set_step(double viscous_time, double step);
-  // Whether yarns have come, or come within the next steps, to strains beyond what the step allows.
-  [[nodiscard]] bool passes_reach() { return reach_.passed_by(forces_.strains()); }
+  // Whether yarns have come, or come within the next steps, to strains beyond what the step allows, or cells to a shear.
+  [[nodiscard]] bool passes_reach() { return reach_.passed_by(forces_.strains(), forces_.sharpest()); }
 
   // Forces of everything that acts, given on by what follows others, at state().position and time.
   void compute_forces(double step);

@@ -8,6 +8,9 @@
 // rate, are known at every step; the first that is beyond what the step allows shortens the very next step. Without the
 // look ahead a seatbelt with slack, which nothing but its soft cells gives a step, met its tension in one step of 0.6
 // ms, and blew up.
+//
+// A cell that closes stiffens without limit (critical_step.hpp takes its angle of the moment), and may do so within a few
+// steps where it folds over: the first shear beyond what it was renews the step too.
 #pragma once
 
 #include <array>
@@ -30,8 +33,9 @@ public:
   // Fixed: every strain that a yarn bears is allowed, always. Otherwise what is allowed follows what yarns reach.
   explicit Reach(bool fixed);
 
-  // Notes the strains of this step; true when the step must be renewed because they are beyond the allowed ones.
-  [[nodiscard]] bool passed_by(const FamilyStrains& now);
+  // Notes the yarns' strains and the cells' greatest sin^2 gamma of this step; true when the step must be renewed because
+  // they are beyond the allowed ones.
+  [[nodiscard]] bool passed_by(const FamilyStrains& now, double sharpest);
   // From now on what was reached since the last renewal is allowed, with a margin.
   void renew();
   [[nodiscard]] const FamilyStrains& allowed() const { return allowed_; }
@@ -41,6 +45,7 @@ public:
 private:
   bool fixed_;
   FamilyStrains allowed_, reached_;
+  double allowed_sharpest_, reached_sharpest_ = 0.0;  // sin^2 gamma
 };
 
 }  // namespace weaveform

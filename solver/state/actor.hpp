@@ -24,6 +24,12 @@ struct EnergyFlow {
   double kinetic = 0.0;  // that is not the nodes' own (rotations, guided tools)
   double lost = 0.0;     // so far: friction, damping
   double put_in = 0.0;   // so far, from outside: moving tools, binder force, weight
+
+  void add(const EnergyFlow& more) {
+    kinetic += more.kinetic;
+    lost += more.lost;
+    put_in += more.put_in;
+  }
 };
 
 class Actor {

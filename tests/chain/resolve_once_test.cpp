@@ -41,7 +41,7 @@ private:
 };
 
 const fs::path box = fs::path(WEAVEFORM_SOURCE_DIR) / "examples/cad_box.toml";
-const std::vector<std::string> coarse = {"blank.coarsening=8", "analysis.duration=0.004", "output.frames=1"};
+const std::vector<std::string> coarse = {"blank.coarsening=8", "analysis.duration=0.008", "output.frames=1"};
 const std::map<std::string, int> once = {{"box_die.geo", 1}, {"box_punch.geo", 1}};
 
 TEST(ResolveOnce, ARunFromSceneToAnswersMeshesEachToolOnce) {

@@ -36,7 +36,8 @@ std::vector<std::string> drawn_bars(const std::string& screen) {
 
 TEST_F(Terminal, TheBarFitsAnyWidthAndIsRedrawnInPlace) {
   for (const int columns : {24, 40, 60, 80, 120, 200}) {
-    const std::string screen = run_in_terminal("weaveform run tiny.toml -o out", folder(), columns);
+    const std::string screen =
+        run_in_terminal("weaveform run tiny.toml -o out --set analysis.duration=2", folder(), columns);
     const auto bars = drawn_bars(screen);
     ASSERT_GE(bars.size(), 2U) << screen;
     for (const std::string& bar : bars) EXPECT_LT(static_cast<int>(bar.size()), columns) << bar;

@@ -67,10 +67,12 @@ TEST(StepBound, ReachedStrainsGiveTheSameDeepDrawing) {
 }
 
 // Impulses of four steps are those of four forces for a part so soft; 0.5 % and 0.1 deg are what rounding moves in a
-// drawing whose nodes slide.
+// drawing whose nodes slide. With the stiffest bound: this drawing bears little more than its inertia, and its force
+// moves by more with the instants at which nodes slide on (docs/accuracy.md has the hemisphere with the other bound).
 TEST(Subcycling, BendingEveryFourthStepGivesTheSameDeepDrawing) {
   Scene scene = test::drawing();
   scene.model.cell = CellElement::rotation_free;
+  scene.analysis.step_bound = StepBound::stiffest;
   const SolveResult always = test::run(scene);
   scene.analysis.bending_every = 4;
   const SolveResult seldom = test::run(scene);

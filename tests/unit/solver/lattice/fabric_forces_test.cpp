@@ -185,6 +185,27 @@ TEST_P(TrellisAngle, ReturnsTheNormalisedShearForceAtEveryAngle) {
   }
 }
 
+// Rows, cut cells, any formulation: the patch sheared alike in one part and more in another.
+TEST(SharpestCell, IsTheGreatestShearOfAll) {
+  for (const Formulation formulation :
+       {Formulation::energy, Formulation::contravariant, Formulation::incremental, Formulation::side_frame})
+    for (const double border : {-25.0, 0.0, 1e3}) {  // mm; beyond, the greater angle: at the cut edge, half, nowhere
+      FabricPatch fabric("twintex-pw", 30.0, {50.0, 70.0}, formulation);
+      const auto [warp, weft] = fabric.yarn_directions();
+      const auto start = fabric.state;
+      fabric.move([&](const Vector3d& x) {
+        const double sine = 0.3 + (x[0] < border ? 0.0 : 0.2);
+        return Vector3d(x.dot(warp) * warp + x.dot(weft) * (sine * warp + std::sqrt(1.0 - sine * sine) * weft));
+      });
+      FabricForces forces(fabric.packed, fabric.card, fabric.laws, fabric.scene.model, start, alone());
+      forces.compute(fabric.state);
+      const Fields fields = compute_fields(fabric.mesh, fabric.card, fabric.scene.model, 0.0,
+                                           mesh_positions(fabric.packed, fabric.state));
+      const double sine = std::sin(fields.shear_angle[most_sheared_cell(fields)]);
+      EXPECT_NEAR(forces.sharpest(), sine * sine, 1e-12) << name_of(formulation) << ", " << border;
+    }
+}
+
 TEST(HalfLog, AgreesWithTheLibraryToAnUlpOrTwo) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> draw(-20.0, 20.0), around(-0.5, 0.5);

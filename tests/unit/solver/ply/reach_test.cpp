@@ -19,8 +19,8 @@ FamilyStrains both(double least, double greatest) {
 
 TEST(Reach, FixedIsNeverPassed) {
   Reach reach(true);
-  EXPECT_FALSE(reach.passed_by(both(-0.4, 0.4)));
-  EXPECT_FALSE(reach.passed_by(both(-2.0, 2.0))) << "torn yarns are another check's";
+  EXPECT_FALSE(reach.passed_by(both(-0.4, 0.4), 0.0));
+  EXPECT_FALSE(reach.passed_by(both(-2.0, 2.0), 0.0)) << "torn yarns are another check's";
   reach.renew();
   EXPECT_TRUE(reach.allowed()[0].holds({-torn_strain, torn_strain}));
 }
@@ -29,28 +29,43 @@ TEST(Reach, IsPassedByTheFirstStrainBeyondInEitherFamilyAndEitherSense) {
   for (const auto& now : {FamilyStrains{StrainRange{0.0, 0.01}, {}}, FamilyStrains{StrainRange{}, {0.0, 0.01}},
                           FamilyStrains{StrainRange{-0.01, 0.0}, {}}, FamilyStrains{StrainRange{}, {-0.01, 0.0}}}) {
     Reach reach(false);
-    EXPECT_FALSE(reach.passed_by(both(0.0, 0.0)));
-    EXPECT_TRUE(reach.passed_by(now));
+    EXPECT_FALSE(reach.passed_by(both(0.0, 0.0), 0.0));
+    EXPECT_TRUE(reach.passed_by(now, 0.0));
     reach.renew();
-    EXPECT_FALSE(reach.passed_by(now)) << "renewed, the step allows for what was reached";
+    EXPECT_FALSE(reach.passed_by(now, 0.0)) << "renewed, the step allows for what was reached";
   }
 }
 
 TEST(Reach, AllowsWhatWasReachedSinceTheLastRenewalAndForgetsOlderStrains) {
   Reach reach(false);
-  (void)reach.passed_by(both(-0.02, 0.02));
-  (void)reach.passed_by(both(0.0, 0.005));
+  (void)reach.passed_by(both(-0.02, 0.02), 0.0);
+  (void)reach.passed_by(both(0.0, 0.005), 0.0);
   reach.renew();
-  EXPECT_FALSE(reach.passed_by(both(-0.02, 0.02))) << "a greatest of the interval, not of its last step";
+  EXPECT_FALSE(reach.passed_by(both(-0.02, 0.02), 0.0)) << "a greatest of the interval, not of its last step";
   reach.renew();
-  EXPECT_FALSE(reach.passed_by(both(0.0, 0.005)));
+  EXPECT_FALSE(reach.passed_by(both(0.0, 0.005), 0.0));
   reach.renew();
-  EXPECT_TRUE(reach.passed_by(both(0.0, 0.02)));
+  EXPECT_TRUE(reach.passed_by(both(0.0, 0.02), 0.0));
+}
+
+// A cell that closes: from 27 degrees on every 3 % of the logarithmic strain, so that none stiffens far between two looks.
+TEST(Reach, IsPassedByAShearBeyondWhatWasReached) {
+  const auto square = [](double log_strain) { return std::pow(std::tanh(log_strain), 2); };
+  Reach reach(false), fixed(true);
+  EXPECT_FALSE(reach.passed_by({}, square(0.49)));
+  EXPECT_TRUE(reach.passed_by({}, square(0.51)));
+  reach.renew();
+  EXPECT_FALSE(reach.passed_by({}, square(0.51 * 1.02)));
+  EXPECT_TRUE(reach.passed_by({}, square(0.51 * 1.04)));
+  EXPECT_TRUE(reach.passed_by({}, 1.0)) << "closed";
+  reach.renew();
+  EXPECT_FALSE(reach.passed_by({}, square(5.0)));
+  EXPECT_FALSE(fixed.passed_by({}, 1.0));
 }
 
 TEST(Reach, ACheckpointKeepsIt) {
   Reach reach(false), resumed(false);
-  (void)reach.passed_by(both(-0.01, 0.03));
+  (void)reach.passed_by(both(-0.01, 0.03), 0.0);
   const std::string kept = state_bytes(reach);
   StateReader reader(kept);
   resumed.archive(reader);
