@@ -104,8 +104,8 @@ struct YarnMapping {
 }
 
 // Moves the history from its directions to g1, g2 and returns the nodal-force pair. `volume` = flat area * thickness.
-template <Frame frame, Thickness thickness, class Law>
-[[gnu::always_inline]] inline CellForce incremental_cell_force(const KernelShear<Law>& law, const double (&g1)[3],
+template <Frame frame, Thickness thickness, class Shear>
+[[gnu::always_inline]] inline CellForce incremental_cell_force(const Shear& law, const double (&g1)[3],
                                                                const double (&g2)[3], double volume,
                                                                CellHistory& history) {
   double middle1[3], middle2[3], d1[3], d2[3];

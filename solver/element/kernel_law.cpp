@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <type_traits>
 #include <vector>
 
 namespace weaveform {
@@ -34,14 +36,15 @@ std::vector<TangentPiece> whole_line(const TangentLaw& law) {
 
 }  // namespace
 
-template <int Pieces, int Degree>
-bool pack_law(const TangentLaw& law, KernelLaw<Pieces, Degree>& packed) {
+bool pack_law(const TangentLaw& law, GeneralLaw& packed) {
+  constexpr int most_pieces = std::extent_v<decltype(packed.anchor)>,
+                most_terms = std::extent_v<decltype(packed.coefficient), 1>;
   const auto pieces = whole_line(law);
-  if (static_cast<int>(pieces.size()) > Pieces) return false;
+  if (static_cast<int>(pieces.size()) > most_pieces) return false;
   packed = {};
   for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
     const auto& piece = pieces[p];
-    if (static_cast<int>(piece.coefficient.size()) > Degree) return false;
+    if (static_cast<int>(piece.coefficient.size()) > most_terms) return false;
     const double from = std::max(piece.from, -unbounded), to = std::min(piece.to, unbounded);
     const double anchor = std::clamp(0.0, from, to);
     packed.anchor[p] = anchor;
@@ -54,8 +57,32 @@ bool pack_law(const TangentLaw& law, KernelLaw<Pieces, Degree>& packed) {
   return true;
 }
 
-template bool pack_law(const TangentLaw&, PaperLaw&);
-template bool pack_law(const TangentLaw&, GeneralLaw&);
-template bool pack_law(const TangentLaw&, PaperShearLaw&);
+template <bool pressed>
+bool pack_law(const TangentLaw& law, JointLaw<pressed>& packed) {
+  packed = {};
+  std::vector<TangentPiece> stretched;
+  for (const TangentPiece& piece : whole_line(law)) {
+    if (piece.from >= 0.0) {
+      stretched.push_back(piece);
+      continue;
+    }
+    if (piece.to > 0.0 || piece.from > -unbounded || piece.coefficient.size() > 1) return false;
+    packed.slack = piece.coefficient.empty() ? 0.0 : piece.coefficient[0];
+  }
+  if (stretched.empty() || stretched.size() > 2) return false;
+  const TangentPiece &first = stretched.front(), &last = stretched.back();
+  if (first.from != 0.0 || first.coefficient.size() > std::size(packed.coefficient)) return false;
+  packed.joint = std::min(first.to, unbounded);
+  if (stretched.size() == 2) {
+    if (last.coefficient.size() > 1) return false;
+    packed.taut = last.coefficient.empty() ? 0.0 : last.coefficient[0];
+  }
+  for (std::size_t n = 0; n < first.coefficient.size(); ++n)
+    packed.coefficient[n] = first.coefficient[n] / static_cast<double>(n + 1);
+  return true;
+}
+
+template bool pack_law(const TangentLaw&, JointLaw<true>&);
+template bool pack_law(const TangentLaw&, JointLaw<false>&);
 
 }  // namespace weaveform

@@ -1,4 +1,4 @@
-// A tangent law packed for the inner loop: stress as a sum over pieces without branches. Since stress is the integral
+// Tangent laws packed for the inner loop: stress as a sum over pieces without branches. Since stress is the integral
 // of the tangent, each piece adds the integral over the part of [0, e] that lies in it:
 //   s(e) = sum_p S_p(clamp(e - anchor_p, low_p, high_p)),   S_p(0) = 0,
 // with S_p the polynomial of piece p about its end nearest to zero strain.
@@ -46,16 +46,48 @@ struct KernelLaw {
   }
 };
 
-// The two shapes the inner loop is compiled for: the paper's (Tables 2 and 3: compression, one cubic tangent, one
-// constant tangent; one cubic tangent) and a general one.
-using PaperLaw = KernelLaw<3, 4>;
+// The shape of the paper's laws (Tables 2 and 3): a cubic tangent from zero strain to a joint, from there on a constant
+// one; with `pressed`, a constant one below zero strain, without, strains are never below. The general sum for it takes
+// twice as long.
+template <bool pressed>
+struct JointLaw {
+  double joint = 0.0;          // 1; of a law without a constant part beyond all strains
+  double coefficient[4] = {};  // MPa; of e, e^2, e^3, e^4
+  double taut = 0.0;           // MPa; the tangent beyond
+  double slack = 0.0;          // MPa; that below zero strain
+
+  [[gnu::always_inline]] inline double stress(double strain) const {
+    double beyond = strain - joint;
+    beyond = beyond > 0.0 ? beyond : 0.0;
+    double t = strain < joint ? strain : joint;
+    double sum = taut * beyond;
+    if constexpr (pressed) {
+      sum += slack * (strain < 0.0 ? strain : 0.0);
+      t = t > 0.0 ? t : 0.0;
+    }
+    return sum + (((coefficient[3] * t + coefficient[2]) * t + coefficient[1]) * t + coefficient[0]) * t;
+  }
+
+  // C(e)
+  [[gnu::always_inline]] inline double tangent(double strain) const {
+    const double t = strain;
+    const double cubic =
+        ((4.0 * coefficient[3] * t + 3.0 * coefficient[2]) * t + 2.0 * coefficient[1]) * t + coefficient[0];
+    const double stretched = strain < joint ? cubic : taut;
+    return pressed && strain < 0.0 ? slack : stretched;
+  }
+};
+
+// The shapes the inner loop is compiled for: the paper's and a general one.
+using PaperLaw = JointLaw<true>;
+using PaperShearLaw = JointLaw<false>;
 using GeneralLaw = KernelLaw<8, 6>;
-using PaperShearLaw = KernelLaw<2, 4>;
 
 // Packs a law as it stands, on both sides of zero strain (yarn_law.hpp). Beyond its ends the tangent keeps its value,
 // which takes a piece at each end that is finite. Returns false when the law has too many pieces or too high a degree
 // for the shape.
-template <int Pieces, int Degree>
-[[nodiscard]] bool pack_law(const TangentLaw& law, KernelLaw<Pieces, Degree>& packed);
+[[nodiscard]] bool pack_law(const TangentLaw& law, GeneralLaw& packed);
+template <bool pressed>
+[[nodiscard]] bool pack_law(const TangentLaw& law, JointLaw<pressed>& packed);
 
 }  // namespace weaveform

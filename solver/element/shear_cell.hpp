@@ -20,8 +20,9 @@ struct CellForce {
   double weft[3];  // N; conjugate to g2
 };
 
-// Packed shear law: the tangent polynomial and the card's friction-like start, odd in the strain.
-template <class Law>
+// Packed shear law, odd in the strain: the tangent polynomial and, where `started`, the card's friction-like start, which
+// costs a division.
+template <class Law, bool started = true>
 struct KernelShear {
   Law law;
   double plateau = 0.0;  // MPa
@@ -29,21 +30,23 @@ struct KernelShear {
 
   [[gnu::always_inline]] inline double stress(double log_strain) const {
     const double size = std::abs(log_strain);
-    const double stress = law.stress(size) + plateau * size / (size + rise);
+    double stress = law.stress(size);
+    if constexpr (started) stress += plateau * size / (size + rise);
     return std::copysign(stress, log_strain);
   }
 
   // C_sh (MPa), even in the strain
   [[gnu::always_inline]] inline double tangent(double log_strain) const {
     const double size = std::abs(log_strain);
+    if constexpr (!started) return law.tangent(size);
     return law.tangent(size) + plateau * rise / ((size + rise) * (size + rise));
   }
 };
 
 // Sets `square` to sin^2 gamma.
-template <Formulation formulation, Thickness thickness, class Law>
-[[gnu::always_inline]] inline CellForce shear_cell_force(const KernelShear<Law>& law, const double (&g1)[3],
-                                                         const double (&g2)[3], double volume, double& square) {
+template <Formulation formulation, Thickness thickness, class Shear>
+[[gnu::always_inline]] inline CellForce shear_cell_force(const Shear& law, const double (&g1)[3], const double (&g2)[3],
+                                                         double volume, double& square) {
   static_assert(formulation == Formulation::energy || formulation == Formulation::contravariant,
                 "the formulations with a history have kernels of their own (incremental_cell.hpp)");
   // a cell without area, as rows are padded with, may have no directions

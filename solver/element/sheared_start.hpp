@@ -17,9 +17,8 @@ inline constexpr double unsheared = 1e-12;  // below, direction products and str
 
 // g1, g2: the directions at the start (incremental_cell.hpp). A cell that is flat but for rounding starts without
 // stress.
-template <Frame frame, Thickness thickness, class Law>
-[[nodiscard]] CellHistory sheared_start(const KernelShear<Law>& law, const double (&g1)[3], const double (&g2)[3],
-                                        double volume) {
+template <Frame frame, Thickness thickness, class Shear>
+[[nodiscard]] CellHistory sheared_start(const Shear& law, const double (&g1)[3], const double (&g2)[3], double volume) {
   CellHistory history{{g1[0], g1[1], g1[2]}, {g2[0], g2[1], g2[2]}, 0.0, 0.0, 0.0, 0.0, 0.0};
   const double length1 = std::hypot(g1[0], g1[1], g1[2]), length2 = std::hypot(g2[0], g2[1], g2[2]);
   double sum[3], difference[3];  // of the unit directions: along the bisectors of the yarns

@@ -13,12 +13,12 @@ YarnKernels yarn_kernels(Section section, bool paper) {
   return chosen_row_loops().yarn_kernels(section, paper);
 }
 
-CellKernels cell_kernels(Formulation formulation, Thickness thickness, bool paper) {
-  return chosen_row_loops().cell_kernels(formulation, thickness, paper);
+CellKernels cell_kernels(Formulation formulation, Thickness thickness, ShearShape shape) {
+  return chosen_row_loops().cell_kernels(formulation, thickness, shape);
 }
 
-HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, bool paper) {
-  return chosen_row_loops().history_cell_kernels(frame, thickness, paper);
+HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, ShearShape shape) {
+  return chosen_row_loops().history_cell_kernels(frame, thickness, shape);
 }
 
 void assemble_row(const double* along, const double* across, const double* p, const double* q, double* carry,

@@ -63,19 +63,31 @@ YarnLawShape shape_yarn_law(const TangentLaw& law, const std::string& what) {
 }
 
 struct ShearLawShape {
-  KernelShear<PaperShearLaw> paper;
-  KernelShear<GeneralLaw> general;
-  bool is_paper = false;
-  [[nodiscard]] const void* pointer() const { return is_paper ? static_cast<const void*>(&paper) : &general; }
+  PaperShear paper;
+  StartedShear started;
+  GeneralShear general;
+  ShearShape shape = ShearShape::general;
+
+  [[nodiscard]] const void* pointer() const {
+    if (shape == ShearShape::general) return &general;
+    return shape == ShearShape::started ? static_cast<const void*>(&started) : &paper;
+  }
+  // Cells with a history have no loop for a law without a start.
+  [[nodiscard]] const void* with_history() const {
+    return shape == ShearShape::general ? static_cast<const void*>(&general) : &started;
+  }
 };
 
 ShearLawShape shape_shear_law(const ShearCard& card) {
   ShearLawShape shape;
-  shape.is_paper = pack_law(card.tangent, shape.paper.law);
-  if (!shape.is_paper && !pack_law(card.tangent, shape.general.law))
+  if (pack_law(card.tangent, shape.paper.law)) {
+    shape.shape = card.start.plateau == 0.0 ? ShearShape::paper : ShearShape::started;
+    shape.started.law = shape.paper.law;
+  } else if (!pack_law(card.tangent, shape.general.law)) {
     throw InputError("material: the shear law has more than 6 pieces or a tangent above degree 5; simplify it");
-  shape.paper.plateau = shape.general.plateau = card.start.plateau;
-  shape.paper.rise = shape.general.rise = card.start.plateau != 0.0 ? card.start.rise : 1.0;
+  }
+  shape.started.plateau = shape.general.plateau = card.start.plateau;
+  shape.started.rise = shape.general.rise = card.start.plateau != 0.0 ? card.start.rise : 1.0;
   return shape;
 }
 
@@ -124,11 +136,11 @@ struct FabricForces::Kernels {
     if (has_history) {
       history_cell =
           history_cell_kernels(model.formulation == Formulation::side_frame ? Frame::side : Frame::green_naghdi,
-                               model.thickness, shear.is_paper);
+                               model.thickness, shear.shape);
       start_history(start);
       start_sheared(model);
     } else {
-      cell = cell_kernels(model.formulation, model.thickness, shear.is_paper);
+      cell = cell_kernels(model.formulation, model.thickness, shear.shape);
     }
     for (int t = 0; t < team.threads(); ++t) scratch.emplace_back(packed.stride, has_history);
     for (int c = 0; c < 3; ++c) {
@@ -162,8 +174,8 @@ struct FabricForces::Kernels {
 
   // ... and the stress of a cell that starts sheared.
   void start_sheared(const ModelSpec& model) {
-    if (shear.is_paper) return start_sheared_with(shear.paper, model);
-    start_sheared_with(shear.general, model);
+    if (shear.shape == ShearShape::general) return start_sheared_with(shear.general, model);
+    start_sheared_with(shear.started, model);
   }
 
   template <class Law>
@@ -242,7 +254,7 @@ struct FabricForces::Kernels {
       const auto [begin, end] = cell_runs.run[r];
       double found = 0.0;
       if (has_history)
-        found = history_cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end,
+        found = history_cell.row(shear.with_history(), rows, inverse1, inverse2, area, thickness, begin, end,
                                  lattice_history.arrays(offset, foreign ? &s.spare_history : nullptr), out);
       else
         found = cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end, out);
@@ -305,7 +317,7 @@ struct FabricForces::Kernels {
                              cells.weft_coefficient[0].data(), cells.area.data()};
     double found = 0.0;
     if (has_history)
-      found = history_cell.loose(shear.pointer(), view, thickness, x, loose_history.arrays(0), warp, weft);
+      found = history_cell.loose(shear.with_history(), view, thickness, x, loose_history.arrays(0), warp, weft);
     else
       found = cell.loose(shear.pointer(), view, thickness, x, warp, weft);
     sharpest = std::max(sharpest, found);

@@ -245,19 +245,21 @@ double history_loose_cells(const void* shear_pointer, const LooseCellView& view,
 }
 
 template <Frame frame, Thickness thickness>
-HistoryCellKernels shaped_history_kernels(bool paper) {
-  using Paper = KernelShear<PaperShearLaw>;
-  using General = KernelShear<GeneralLaw>;
-  if (paper) return {&history_cell_row<frame, thickness, Paper>, &history_loose_cells<frame, thickness, Paper>};
-  return {&history_cell_row<frame, thickness, General>, &history_loose_cells<frame, thickness, General>};
+HistoryCellKernels shaped_history_kernels(ShearShape shape) {
+  const auto of = []<class Shear>(Shear /*shape*/) -> HistoryCellKernels {
+    return {&history_cell_row<frame, thickness, Shear>, &history_loose_cells<frame, thickness, Shear>};
+  };
+  if (shape == ShearShape::general) return of(GeneralShear{});
+  return of(StartedShear{});  // the start is the least of what these cost
 }
 
 template <Formulation formulation, Thickness thickness>
-CellKernels shaped_cell_kernels(bool paper) {
-  using Paper = KernelShear<PaperShearLaw>;
-  using General = KernelShear<GeneralLaw>;
-  if (paper) return {&cell_row<formulation, thickness, Paper>, &loose_cells<formulation, thickness, Paper>};
-  return {&cell_row<formulation, thickness, General>, &loose_cells<formulation, thickness, General>};
+CellKernels shaped_cell_kernels(ShearShape shape) {
+  const auto of = []<class Shear>(Shear /*shape*/) -> CellKernels {
+    return {&cell_row<formulation, thickness, Shear>, &loose_cells<formulation, thickness, Shear>};
+  };
+  if (shape == ShearShape::general) return of(GeneralShear{});
+  return shape == ShearShape::started ? of(StartedShear{}) : of(PaperShear{});
 }
 
 template <Section section>
@@ -271,22 +273,22 @@ YarnKernels yarn_kernels(Section section, bool paper) {
                                             : shaped_yarn_kernels<Section::constant>(paper);
 }
 
-CellKernels cell_kernels(Formulation formulation, Thickness thickness, bool paper) {
+CellKernels cell_kernels(Formulation formulation, Thickness thickness, ShearShape shape) {
   const bool constant = thickness == Thickness::constant;
   if (formulation == Formulation::energy)
-    return constant ? shaped_cell_kernels<Formulation::energy, Thickness::constant>(paper)
-                    : shaped_cell_kernels<Formulation::energy, Thickness::constant_volume>(paper);
-  return constant ? shaped_cell_kernels<Formulation::contravariant, Thickness::constant>(paper)
-                  : shaped_cell_kernels<Formulation::contravariant, Thickness::constant_volume>(paper);
+    return constant ? shaped_cell_kernels<Formulation::energy, Thickness::constant>(shape)
+                    : shaped_cell_kernels<Formulation::energy, Thickness::constant_volume>(shape);
+  return constant ? shaped_cell_kernels<Formulation::contravariant, Thickness::constant>(shape)
+                  : shaped_cell_kernels<Formulation::contravariant, Thickness::constant_volume>(shape);
 }
 
-HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, bool paper) {
+HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, ShearShape shape) {
   const bool constant = thickness == Thickness::constant;
   if (frame == Frame::green_naghdi)
-    return constant ? shaped_history_kernels<Frame::green_naghdi, Thickness::constant>(paper)
-                    : shaped_history_kernels<Frame::green_naghdi, Thickness::constant_volume>(paper);
-  return constant ? shaped_history_kernels<Frame::side, Thickness::constant>(paper)
-                  : shaped_history_kernels<Frame::side, Thickness::constant_volume>(paper);
+    return constant ? shaped_history_kernels<Frame::green_naghdi, Thickness::constant>(shape)
+                    : shaped_history_kernels<Frame::green_naghdi, Thickness::constant_volume>(shape);
+  return constant ? shaped_history_kernels<Frame::side, Thickness::constant>(shape)
+                  : shaped_history_kernels<Frame::side, Thickness::constant_volume>(shape);
 }
 
 void assemble_row(const double* along, const double* across, const double* p, const double* q, double* carry,

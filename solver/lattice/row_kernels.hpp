@@ -83,10 +83,16 @@ struct HistoryCellKernels {
   HistoryLooseCellLoop loose;
 };
 
-// `paper` says that the law at hand is a PaperLaw (or KernelShear<PaperShearLaw>); otherwise the general shape.
+// The shear laws the loops are compiled for.
+using PaperShear = KernelShear<PaperShearLaw, false>;
+using StartedShear = KernelShear<PaperShearLaw>;
+using GeneralShear = KernelShear<GeneralLaw>;
+enum class ShearShape { paper, started, general };
+
+// `paper` says that the law at hand is a PaperLaw; otherwise it is a GeneralLaw.
 [[nodiscard]] YarnKernels yarn_kernels(Section section, bool paper);
-[[nodiscard]] CellKernels cell_kernels(Formulation formulation, Thickness thickness, bool paper);
-[[nodiscard]] HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, bool paper);
+[[nodiscard]] CellKernels cell_kernels(Formulation formulation, Thickness thickness, ShearShape shape);
+[[nodiscard]] HistoryCellKernels history_cell_kernels(Frame frame, Thickness thickness, ShearShape shape);
 
 // f[i] = along[i] - along[i-1] + p[i] - q[i-1] + across[i] + carry[i], and the carry for the next row,
 // carry[i] = q[i] - p[i-1] - across[i]; arrays are readable at begin - 1.

@@ -85,7 +85,7 @@ TEST_F(KeptFiles, FramesThatAreNotOurs) {
 TEST_F(KeptFiles, TheFolderOfARunUnderWay) {
   const auto result =
       run("'" WEAVEFORM_BINARY
-          "' run tiny.toml --output out --quiet --set analysis.duration=1 &\nfirst=$!\n"
+          "' run tiny.toml --output out --quiet --set analysis.duration=10 &\nfirst=$!\n"
           "while [ ! -e out/frames/frame_0000.vtu ]; do sleep 0.01; done\n"
           "for command in 'run tiny.toml --output out' 'mesh tiny.toml --output out' 'solve out' 'post out'; do\n"
           "  '" WEAVEFORM_BINARY
@@ -95,7 +95,7 @@ TEST_F(KeptFiles, TheFolderOfARunUnderWay) {
   EXPECT_EQ(result.out, "");
   EXPECT_NE(result.err.find("another run writes to this folder, process "), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("run tiny.toml"), std::string::npos) << result.err;
-  ASSERT_EQ(run("weaveform run tiny.toml --output alone --quiet --set analysis.duration=1").exit_code, 0);
+  ASSERT_EQ(run("weaveform run tiny.toml --output alone --quiet --set analysis.duration=10").exit_code, 0);
   EXPECT_EQ(read_text(file("out/history.csv")), read_text(file("alone/history.csv")));
   EXPECT_EQ(run("weaveform post out --quiet").exit_code, 0) << "the lock went with its holder";
 }
