@@ -94,11 +94,25 @@ toml::table* find_named(toml::table& root, const std::string& key, const std::st
   return nullptr;
 }
 
+bool leads_to_a_pair(const std::vector<std::string>& parts) {
+  return parts.size() > 1 && parts[0] == "stack" && parts[1] == "pair";
+}
+
+// The element of [[stack.pair]], which have no names.
+toml::table* find_pair(toml::table& root, const std::string& key, const std::vector<std::string>& parts,
+                       Complaints& complaints) {
+  toml::table* stack = root["stack"].as_table();
+  if (parts.size() == 4 && stack != nullptr) return find_element(*stack, key, "pair", parts[2], complaints);
+  complaints.add_override(key, stack == nullptr ? "the scene has no [stack]" : "write stack.pair.NUMBER.KEY=VALUE");
+  return nullptr;
+}
+
 // The table that the key's last part belongs to; created when the file leaves it out.
 toml::table* find_place(toml::table& root, const std::string& key, Complaints& complaints) {
   const auto parts = split_at_dots(key);
   const SceneTable* table = find_table(key, parts[0], complaints);
   if (table == nullptr) return nullptr;
+  if (leads_to_a_pair(parts)) return find_pair(root, key, parts, complaints);
   const bool has_name = table->many || table->named;
   if (parts.size() != (has_name ? 3U : 2U)) {
     complaints.add_override(key, fmt::format("write {0}.{1}KEY=VALUE", table->name, has_name ? "NAME." : ""));
