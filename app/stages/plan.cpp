@@ -9,6 +9,7 @@
 
 #include "app/stages/checked_model.hpp"
 #include "core/error.hpp"
+#include "mesher/scene/overrides.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/solve.hpp"
 
@@ -64,8 +65,7 @@ std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<
   double known = 1.0;
   for (const double factor : factors) {
     auto with_factor = overrides;
-    with_factor.push_back(fmt::format("blank.coarsening=[{:.17g},{:.17g}]", factor * asked.blank.coarsening[0],
-                                      factor * asked.blank.coarsening[1]));
+    for (const std::string& coarsening : coarsened(asked, factor)) with_factor.push_back(coarsening);
     with_factor.emplace_back("analysis.perturbation=0.0");  // a perturbed run is two runs
     PlanRow row;
     try {

@@ -124,9 +124,10 @@ struct Mesh {
   double thickness = 0.0;                      // mm
   std::vector<MeshPly> ply;  // of a stack, bottom to top; spacing and thickness above then are the least of all
   MeshSymmetry symmetry;     // of a half or quarter; mesh.vtu always holds the whole
+  int first_shown = 0;       // of a ply: the number of its first node in the stack
   // What messages call a node: its number in mesh.vtu.
   [[nodiscard]] int shown_node(int node) const {
-    return symmetry.whole_node.empty() ? node : symmetry.whole_node[static_cast<std::size_t>(node)];
+    return first_shown + (symmetry.whole_node.empty() ? node : symmetry.whole_node[static_cast<std::size_t>(node)]);
   }
   [[nodiscard]] const std::vector<std::array<double, 3>>& flat_positions() const {
     return nodes.flat_position.empty() ? nodes.position : nodes.flat_position;

@@ -127,6 +127,7 @@ Mesh ply_mesh(const Mesh& stack, std::size_t ply) {
   own.spacing = at.spacing;
   own.lattice_size = at.lattice_size;
   own.thickness = at.thickness;
+  own.first_shown = at.first_node;
   return own;
 }
 

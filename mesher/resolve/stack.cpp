@@ -102,6 +102,7 @@ void join(Resolved& model) {
   std::vector<NamedMesh> plies;
   for (std::size_t k = 0; k < model.ply.size(); ++k) plies.push_back({model.scene.ply[k].name, &model.ply[k].mesh});
   model.mesh = joined_mesh(plies);
+  for (std::size_t k = 0; k < model.ply.size(); ++k) model.ply[k].mesh.first_shown = model.mesh.ply[k].first_node;
   model.card = model.ply.front().card;
   model.outline = model.ply.front().outline;
 }

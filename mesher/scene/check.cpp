@@ -171,6 +171,8 @@ void check_model(const ModelSpec& model, const toml::table& table, Complaints& c
   }
 }
 
+constexpr std::size_t most_plies = 100;
+
 // What each ply has of fabric, blank and model is checked like those tables themselves.
 void check_plies(const Scene& scene, const toml::table& root, Complaints& complaints) {
   check_names(scene.ply, root, "ply", complaints);
@@ -183,6 +185,9 @@ void check_plies(const Scene& scene, const toml::table& root, Complaints& compla
     check_model(ply.model, *table, complaints);
   }
   if (scene.ply.empty()) return;
+  if (scene.ply.size() > most_plies)
+    complaints.add(*table_at(root, "ply", most_plies),
+                   fmt::format("{} plies; a stack has {} at most", scene.ply.size(), most_plies));
   if (scene.frame) complaints.add(*table_at(root, "frame", 0), "a shear frame holds one ply; leave [frame] or [[ply]] out");
 }
 

@@ -146,4 +146,14 @@ void apply_overrides(toml::table& root, const std::vector<std::string>& override
   for (const auto& text : overrides) apply_override(root, text, complaints);
 }
 
+std::vector<std::string> coarsened(const Scene& scene, double factor) {
+  const auto line = [factor](const std::string& key, const std::array<double, 2>& coarsening) {
+    return fmt::format("{}.coarsening=[{:.17g},{:.17g}]", key, factor * coarsening[0], factor * coarsening[1]);
+  };
+  std::vector<std::string> lines = {line("blank", scene.blank.coarsening)};
+  for (std::size_t k = 0; k < scene.ply.size(); ++k)
+    lines.push_back(line(fmt::format("ply.{}", k), scene.ply[k].blank.coarsening));
+  return lines;
+}
+
 }  // namespace weaveform

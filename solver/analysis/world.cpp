@@ -19,6 +19,24 @@ World::World(const WorldSetup& setup)
                                                     .damping = setup.loading.damping,
                                                     .team = setup.team}));
   if (!setup.tools.empty()) make_tools(setup);
+  if (plies_.size() > 1 && setup.pair_law) join_plies(setup);
+}
+
+// As stiff as the ply of the smallest step allows: it sets the step of all.
+void World::join_plies(const WorldSetup& setup) {
+  std::vector<Ply*> plies;
+  std::vector<std::string> names;
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < plies_.size(); ++k) {
+    plies.push_back(plies_[k].get());
+    names.push_back(setup.plies[k].name);
+    step = std::min(step, plies_[k]->fabric_step());
+  }
+  between_ = std::make_unique<PlyContact>(PlyContactSetup{.plies = std::move(plies),
+                                                          .names = std::move(names),
+                                                          .law = setup.pair_law,
+                                                          .frequency = contact_frequency(scene_.analysis, step),
+                                                          .team = setup.team});
 }
 
 void World::make_tools(const WorldSetup& setup) {
@@ -27,10 +45,14 @@ void World::make_tools(const WorldSetup& setup) {
     sprung.push_back({.mass = ply->mass(),
                       .frequency = contact_frequency(scene_.analysis, ply->fabric_step()),
                       .fabric_frequency = 2.0 / ply->fabric_step()});
-  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, plies_.front()->mesh(), duration_, sprung);
+  const Mesh& first = plies_.front()->mesh();
+  double least_spacing = std::numeric_limits<double>::infinity();
+  for (const auto& ply : plies_) least_spacing = std::min({least_spacing, ply->mesh().spacing[0], ply->mesh().spacing[1]});
+  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, first.symmetry, least_spacing, duration_, sprung);
   for (std::size_t k = 0; k < plies_.size(); ++k) {
     Ply& ply = *plies_[k];
-    auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team);
+    auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team,
+                                             setup.plies[k].tools);
     contacts_.push_back(contact.get());
     loads_.push_back(&contact->loads());
     ply.add(std::move(contact));
@@ -39,7 +61,8 @@ void World::make_tools(const WorldSetup& setup) {
 
 void World::start() {
   if (const double size = scene_.analysis.perturbation; size > 0.0)
-    for (auto& ply : plies_) ply->perturb(size, static_cast<std::uint64_t>(scene_.analysis.perturbation_seed));
+    for (std::size_t k = 0; k < plies_.size(); ++k)  // each ply its own
+      plies_[k]->perturb(size, static_cast<std::uint64_t>(scene_.analysis.perturbation_seed) + k);
   renew_step();
   compute_forces();
   if (passes_reach()) renew_step();
@@ -49,8 +72,14 @@ void World::start() {
 
 void World::renew_step() {
   stable_ = {.step = std::numeric_limits<double>::infinity(), .set_by = ""};
-  for (auto& ply : plies_)
-    if (StableStep own = ply->renew_stable_step(); own.step < stable_.step) stable_ = std::move(own);
+  for (std::size_t k = 0; k < plies_.size(); ++k) {
+    Ply::StiffnessBound contact;
+    if (between_)
+      contact = [this, k](double frequency, std::vector<double>& bound) {
+        between_->add_stiffness_bound(static_cast<int>(k), frequency, bound);
+      };
+    if (StableStep own = plies_[k]->renew_stable_step(contact); own.step < stable_.step) stable_ = std::move(own);
+  }
   if (tools_ && tools_->longest_step() < stable_.step) stable_ = {tools_->longest_step(), "contact"};
   // with every node held nothing sets a step; a row of history is then as good as any
   if (!std::isfinite(stable_.step)) stable_.step = duration_ / scene_.output.history;
@@ -68,14 +97,16 @@ void World::renew_step() {
 }
 
 bool World::passes_reach() {
-  bool passes = false;
+  bool passes = between_ && between_->passes_bound();
   for (auto& ply : plies_) passes = ply->passes_reach() || passes;  // each notes its strains
   return passes;
 }
 
 void World::compute_forces() {
   if (tools_) tools_->advance(time());
-  for (auto& ply : plies_) ply->compute_forces(step_);
+  for (auto& ply : plies_) ply->compute_own_forces(step_);
+  if (between_) between_->add_forces();
+  for (auto& ply : plies_) ply->give_on_forces();
   if (!tools_) return;
   tools_->gather(loads_);
 }
@@ -99,18 +130,14 @@ void World::advance(bool last) {
 // Everything but the internal energy, which only output times need.
 void World::close_balance() {
   EnergyFlow sum;
-  for (const auto& ply : plies_) {
-    const EnergyFlow flow = ply->energy_flow();
+  const auto add = [&sum](const EnergyFlow& flow) {
     sum.kinetic += flow.kinetic;
     sum.lost += flow.lost;
     sum.put_in += flow.put_in;
-  }
-  if (tools_) {
-    const EnergyFlow flow = tools_->energy_flow();
-    sum.kinetic += flow.kinetic;
-    sum.lost += flow.lost;
-    sum.put_in += flow.put_in;
-  }
+  };
+  for (const auto& ply : plies_) add(ply->energy_flow());
+  if (tools_) add(tools_->energy_flow());
+  if (between_) add(between_->energy_flow());
   balance_.kinetic = parts_ * sum.kinetic;
   balance_.damping = parts_ * sum.lost;
   balance_.external = parts_ * sum.put_in;
@@ -125,6 +152,7 @@ void World::look_at_stored_energy() {
     sum.hourglass += energy.hourglass;
   }
   if (tools_) sum.total += tools_->stored_energy().total;
+  if (between_) sum.total += between_->stored_energy().total;
   balance_.internal = parts_ * sum.total;
   balance_.bending = parts_ * sum.bending;
   balance_.hourglass = parts_ * sum.hourglass;
@@ -144,6 +172,7 @@ void World::archive(Archive& archive) {
     ply->archive(archive);
     ply->set_step(viscous_time_, step_);
   }
+  if (between_) between_->archive(archive);
 }
 
 }  // namespace weaveform

@@ -1,7 +1,8 @@
-// The world of an analysis: plies, the tools that touch them, and their common clock. It knows the theory's order of a
+// The world of an analysis: plies, their contact with each other, the tools that touch them, and their common clock. It knows the theory's order of a
 // step (stable step, forces, motion, energies) and nothing of files, histories or verdicts, which are the observers'.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "solver/analysis/balance.hpp"
 #include "solver/analysis/loading.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/contact/ply_contact.hpp"
 #include "solver/contact/rigid_tools.hpp"
 #include "solver/ply/ply.hpp"
 
@@ -22,7 +24,9 @@ struct PlyInput {
   const Mesh& whole;
   const SymmetricPart* part = nullptr;
   const Card& card;
-  const Scene& scene;  // its model, grips and frame
+  const Scene& scene;                         // its model, grips and frame
+  const std::vector<Tool>* tools = nullptr;   // at this ply's own distance from them; none: the world's
+  std::string name = {};                      // for messages; "" of a single ply
 };
 
 // `scene` says analysis, tools and output; `tools` are those of the scene in its order, made (mesher/tools/tool.hpp).
@@ -33,12 +37,13 @@ struct WorldSetup {
   const Scene& scene;
   Loading loading;
   double longest_step = std::numeric_limits<double>::infinity();  // s; none is taken that is longer
+  std::function<PairLaw(int, int)> pair_law = {};  // between plies lower and upper; none: they pass through each other
   Team& team;
 };
 
 class World {
 public:
-  // Throws InputError when a ply cannot be made, starts inside a tool, or a pushed tool is too light.
+  // Throws InputError when a ply cannot be made, starts inside a tool or another ply, or a pushed tool is too light.
   explicit World(const WorldSetup& setup);
 
   [[nodiscard]] std::size_t size() const { return plies_.size(); }
@@ -47,6 +52,8 @@ public:
   // Null without tools.
   [[nodiscard]] const RigidTools* tools() const { return tools_.get(); }
   [[nodiscard]] const Contact* contact(std::size_t ply) const { return tools_ ? contacts_[ply] : nullptr; }
+  // Null of a single ply, and of plies without laws between them.
+  [[nodiscard]] const PlyContact* between() const { return between_.get(); }
   [[nodiscard]] int parts() const { return parts_; }  // the whole is this many times what is solved
 
   [[nodiscard]] double time() const { return plies_.front()->state().time; }         // s
@@ -83,12 +90,14 @@ public:
 
 private:
   void make_tools(const WorldSetup& setup);
+  void join_plies(const WorldSetup& setup);
   void close_balance();
 
   std::vector<std::unique_ptr<Ply>> plies_;
   std::unique_ptr<RigidTools> tools_;
   std::vector<Contact*> contacts_;                   // of each ply, which owns it
   std::vector<const std::vector<ToolLoad>*> loads_;  // theirs
+  std::unique_ptr<PlyContact> between_;
   const Scene& scene_;
   double duration_, longest_step_;  // s
   int parts_;

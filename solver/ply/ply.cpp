@@ -86,15 +86,16 @@ void Ply::perturb(double size, std::uint64_t seed) {
   if (ties_) ties_->follow(state_);
 }
 
-StableStep Ply::renew_stable_step() {
+StableStep Ply::renew_stable_step(const StiffnessBound& contact) {
   reach_.renew();
   yarn_modulus_ = critical_step_.stiffest(reach_.allowed());
   const auto position = positions();
   StableStep stable = critical_step_(position, yarn_modulus_);
-  if (!actors_.empty()) {
+  if (!actors_.empty() || contact) {
     const double fabric_frequency = 2.0 / finite_step(stable.step);
     std::vector<double> further(mesh_.node_count(), 0.0);
     for (const auto& actor : actors_) actor->add_stiffness_bound(position, fabric_frequency, further);
+    if (contact) contact(fabric_frequency, further);
     stable = critical_step_(position, yarn_modulus_, further);
     for (const auto& actor : actors_)
       if (actor->longest_step() < stable.step) stable = {actor->longest_step(), actor->name()};
@@ -108,8 +109,16 @@ void Ply::set_step(double viscous_time, double step) {
 }
 
 void Ply::compute_forces(double step) {
+  compute_own_forces(step);
+  give_on_forces();
+}
+
+void Ply::compute_own_forces(double step) {
   forces_.compute(state_);
   for (const auto& actor : actors_) actor->add_forces(state_, step);
+}
+
+void Ply::give_on_forces() {
   if (mirrors_) mirrors_->give_forces(state_);
   if (ties_) ties_->give_forces(state_);
   if (!mirrors_) return;

@@ -71,7 +71,9 @@ public:
   [[nodiscard]] double fabric_step() const { return fabric_step_; }
   // From now on what yarns reached since the last call is allowed (reach.hpp); the longest stable step with that. Where
   // every node is held nothing sets one: a row of history is then as good as any.
-  [[nodiscard]] StableStep renew_stable_step();
+  // `contact` adds stiffness bounds of what acts between plies, as Actor::add_stiffness_bound does.
+  using StiffnessBound = std::function<void(double fabric_frequency, std::vector<double>& bound)>;
+  [[nodiscard]] StableStep renew_stable_step(const StiffnessBound& contact = {});
   // `viscous_time` (s): beta of yarn.hpp; `step` (s): the one to be taken. Again after an archive was read.
   void set_step(double viscous_time, double step);
   // Whether yarns have come, or come within the next steps, to strains beyond what the step allows.
@@ -79,6 +81,9 @@ public:
 
   // Forces of everything that acts, given on by what follows others, at state().position and time.
   void compute_forces(double step);
+  // The same in two, for who adds what acts between plies: the ply's own, and what nodes give on.
+  void compute_own_forces(double step);
+  void give_on_forces();
   // One leapfrog step, grips included (motion.hpp); holds() know their displacements. The last one only tells the
   // velocities and reactions at its beginning: positions stay.
   void advance(double step_before, double step, bool last);
