@@ -18,6 +18,7 @@
 #include "core/files/files.hpp"
 #include "core/json/json_text.hpp"
 #include "core/keys/length_unit.hpp"
+#include "core/keys/nearest_name.hpp"
 #include "core/version/version.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
@@ -42,6 +43,7 @@ struct ExportArguments {
   std::vector<double> position, rotation;
   std::optional<double> within, group_angle;
   std::string materials;  // of Materials; "" for the format's own
+  std::string ply;        // of a stack; "": all of them
   bool is_static = false;
   bool force = false, quiet = false, yes = false, json = false;
 };
@@ -52,6 +54,33 @@ Resolved model_of(const ExportArguments& arguments) {
   if (!arguments.overrides.empty())
     throw InputError("--set changes a scene, and a folder's mesh is made; export the scene file instead");
   return ResultFolder(arguments.from).model();
+}
+
+// Of a stack the number of the ply asked for; none: all.
+std::optional<std::size_t> ply_asked(const ExportArguments& arguments, const Resolved& model) {
+  if (arguments.ply.empty()) return {};
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    names.push_back(model.mesh.ply[k].name);
+    if (names.back() == arguments.ply) return k;
+  }
+  throw InputError(fmt::format("--ply {}: no such [[ply]]{}", arguments.ply,
+                               names.empty() ? "; the scene has none" : did_you_mean(arguments.ply, names)));
+}
+
+// The one ply that goes into a mesh for another code.
+Resolved one_ply_of(Resolved model, const ExportArguments& arguments) {
+  const auto asked = ply_asked(arguments, model);
+  if (model.ply.empty()) return model;
+  std::vector<std::string> names;
+  for (const MeshPly& ply : model.mesh.ply) names.push_back(ply.name);
+  if (!asked && model.ply.size() > 1)
+    throw InputError(fmt::format("--format {} takes one ply of a stack, without what the others do to it; say with --ply "
+                                 "which: {}",
+                                 arguments.format, fmt::join(names, ", ")));
+  Resolved one = std::move(model.ply[asked.value_or(0)]);
+  one.mesh.first_shown = 0;
+  return one;
 }
 
 // What the command reads.
@@ -89,9 +118,9 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
     throw InputError(fmt::format("--materials built-in goes with lsdyna, openradioss and calculix; --format {} {}",
                                  arguments.format,
                                  format == MeshFormat::gmsh ? "has no materials" : "takes user materials"));
-  const Resolved model = model_of(arguments);
+  const Resolved model = one_ply_of(model_of(arguments), arguments);
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
-  const double duration = choose_loading(model.scene, model.card, model.extent()).duration;
+  const double duration = choose_loading(model).duration;
   ExportOptions options;
   options.materials = materials.value_or(Materials::built_in);
   options.is_static = arguments.is_static;
@@ -284,6 +313,8 @@ void add_export_command(CLI::App& program) {
                    "lsdyna, openradioss: built-in (what the code has itself) or user (constants of a user material)")
       ->type_name("WHOSE")
       ->check(CLI::IsMember(choice_names<Materials>()));
+  command->add_option("--ply", arguments->ply, "Of a stack: the ply that is meant; left out: all, where the format has layers")
+      ->type_name("NAME");
   command->add_flag("--static", arguments->is_static, "calculix: *STATIC instead of *DYNAMIC; a plane scene");
   command
       ->add_option("--set", arguments->overrides,
