@@ -59,9 +59,9 @@ WorldSetup Analysis::world_setup() {
                            .part = parts_.empty() ? nullptr : &parts_[k],
                            .card = ply.card,
                            .scene = ply.scene,
-                           .tools = &ply.tools,
-                           .name = model_.ply.empty() ? "" : whole_.ply[k].name});
+                           .tools = &ply.tools});
   }
+  for (const MeshPly& ply : whole_.ply) setup.ply_names.push_back(ply.name);
   setup.pair_law = [this](int lower, int upper) {
     const ResolvedPair& pair = model_.pair[pair_number(lower, upper)];
     return PairLaw{pair.friction, pair.shear_law, pair.compaction};
@@ -244,7 +244,7 @@ double Analysis::wall() const {
 double Analysis::contact_wall() const {
   double sum = contact_wall_before_;
   for (std::size_t k = 0; k < world_.size() && world_.tools() != nullptr; ++k) sum += world_.contact(k)->wall_s();
-  if (world_.between() != nullptr) sum += world_.between()->wall_s();
+  if (world_.ply_contact() != nullptr) sum += world_.ply_contact()->wall_s();
   return sum;
 }
 

@@ -41,8 +41,8 @@ ContactState whole_contact_state(const Ply& ply, const Contact& contact) {
 
 // Sums are those of all parts.
 std::vector<PairReading> whole_pairs(const World& world) {
-  if (world.between() == nullptr) return {};
-  std::vector<PairReading> pairs = world.between()->pairs();
+  if (world.ply_contact() == nullptr) return {};
+  std::vector<PairReading> pairs = world.ply_contact()->pairs();
   for (PairReading& pair : pairs)
     for (double* sum : {&pair.area, &pair.force, &pair.friction_force, &pair.stored, &pair.friction_work,
                         &pair.damping_work})
@@ -86,8 +86,8 @@ Fields Outputs::fields_of_ply(const World& world, std::size_t number, bool frame
           : compute_row_fields(ply.whole(), plane_[number], time, position, !scene_.measure.empty() || !whole_.ply.empty());
   if (!frame_due) return fields;
   if (world.contact(number) != nullptr) fields.contact = whole_contact_state(ply, *world.contact(number));
-  if (world.between() != nullptr) {
-    fields.between = world.between()->state_of(static_cast<int>(number));
+  if (world.ply_contact() != nullptr) {
+    fields.between = world.ply_contact()->state_of(static_cast<int>(number));
     if (ply.part() != nullptr) fields.between = unfolded(*fields.between, *ply.part());
   }
   return fields;

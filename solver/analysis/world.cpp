@@ -4,6 +4,25 @@
 #include <cmath>
 
 namespace weaveform {
+namespace {
+
+// What contact with other plies means for a ply's stable step.
+class StackedPly : public Actor {
+public:
+  StackedPly(const PlyContact& contact, int ply) : contact_(contact), ply_(ply) {}
+  [[nodiscard]] std::string name() const override { return "contact between plies"; }
+  void add_forces(State& /*state*/, double /*step*/) override {}  // the world asks the contact of all
+  void add_stiffness_bound(const std::vector<Vec3>& /*position*/, double fabric_frequency,
+                           std::vector<double>& bound) const override {
+    contact_.add_stiffness_bound(ply_, fabric_frequency, bound);
+  }
+
+private:
+  const PlyContact& contact_;
+  int ply_;
+};
+
+}  // namespace
 
 World::World(const WorldSetup& setup)
     : scene_(setup.scene),
@@ -18,25 +37,24 @@ World::World(const WorldSetup& setup)
                                                     .duration = duration_,
                                                     .damping = setup.loading.damping,
                                                     .team = setup.team}));
+  if (setup.pair_law && plies_.size() > 1) make_ply_contact(setup);
   if (!setup.tools.empty()) make_tools(setup);
-  if (plies_.size() > 1 && setup.pair_law) join_plies(setup);
 }
 
-// As stiff as the ply of the smallest step allows: it sets the step of all.
-void World::join_plies(const WorldSetup& setup) {
-  std::vector<Ply*> plies;
-  std::vector<std::string> names;
+void World::make_ply_contact(const WorldSetup& setup) {
   double step = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < plies_.size(); ++k) {
-    plies.push_back(plies_[k].get());
-    names.push_back(setup.plies[k].name);
-    step = std::min(step, plies_[k]->fabric_step());
+  std::vector<Ply*> plies;
+  for (auto& ply : plies_) {
+    plies.push_back(ply.get());
+    step = std::min(step, ply->fabric_step());
   }
-  between_ = std::make_unique<PlyContact>(PlyContactSetup{.plies = std::move(plies),
-                                                          .names = std::move(names),
-                                                          .law = setup.pair_law,
-                                                          .frequency = contact_frequency(scene_.analysis, step),
-                                                          .team = setup.team});
+  ply_contact_ = std::make_unique<PlyContact>(PlyContactSetup{.plies = plies,
+                                                              .names = setup.ply_names,
+                                                              .law = setup.pair_law,
+                                                              .frequency = contact_frequency(scene_.analysis, step),
+                                                              .team = setup.team});
+  for (std::size_t k = 0; k < plies_.size(); ++k)
+    plies_[k]->add(std::make_unique<StackedPly>(*ply_contact_, static_cast<int>(k)));
 }
 
 void World::make_tools(const WorldSetup& setup) {
@@ -45,10 +63,11 @@ void World::make_tools(const WorldSetup& setup) {
     sprung.push_back({.mass = ply->mass(),
                       .frequency = contact_frequency(scene_.analysis, ply->fabric_step()),
                       .fabric_frequency = 2.0 / ply->fabric_step()});
-  const Mesh& first = plies_.front()->mesh();
   double least_spacing = std::numeric_limits<double>::infinity();
-  for (const auto& ply : plies_) least_spacing = std::min({least_spacing, ply->mesh().spacing[0], ply->mesh().spacing[1]});
-  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, first.symmetry, least_spacing, duration_, sprung);
+  for (const auto& ply : plies_)
+    least_spacing = std::min({least_spacing, ply->mesh().spacing[0], ply->mesh().spacing[1]});
+  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, plies_.front()->mesh().symmetry, least_spacing, duration_,
+                                        sprung);
   for (std::size_t k = 0; k < plies_.size(); ++k) {
     Ply& ply = *plies_[k];
     auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team,
@@ -71,15 +90,10 @@ void World::start() {
 }
 
 void World::renew_step() {
+  if (ply_contact_) ply_contact_->renew_bound();
   stable_ = {.step = std::numeric_limits<double>::infinity(), .set_by = ""};
-  for (std::size_t k = 0; k < plies_.size(); ++k) {
-    Ply::StiffnessBound contact;
-    if (between_)
-      contact = [this, k](double frequency, std::vector<double>& bound) {
-        between_->add_stiffness_bound(static_cast<int>(k), frequency, bound);
-      };
-    if (StableStep own = plies_[k]->renew_stable_step(contact); own.step < stable_.step) stable_ = std::move(own);
-  }
+  for (auto& ply : plies_)
+    if (StableStep own = ply->renew_stable_step(); own.step < stable_.step) stable_ = std::move(own);
   if (tools_ && tools_->longest_step() < stable_.step) stable_ = {tools_->longest_step(), "contact"};
   // with every node held nothing sets a step; a row of history is then as good as any
   if (!std::isfinite(stable_.step)) stable_.step = duration_ / scene_.output.history;
@@ -97,7 +111,7 @@ void World::renew_step() {
 }
 
 bool World::passes_reach() {
-  bool passes = between_ && between_->passes_bound();
+  bool passes = ply_contact_ && ply_contact_->passes_bound();
   for (auto& ply : plies_) passes = ply->passes_reach() || passes;  // each notes its strains
   return passes;
 }
@@ -105,7 +119,7 @@ bool World::passes_reach() {
 void World::compute_forces() {
   if (tools_) tools_->advance(time());
   for (auto& ply : plies_) ply->compute_own_forces(step_);
-  if (between_) between_->add_forces();
+  if (ply_contact_) ply_contact_->add_forces();
   for (auto& ply : plies_) ply->give_on_forces();
   if (!tools_) return;
   tools_->gather(loads_);
@@ -130,14 +144,19 @@ void World::advance(bool last) {
 // Everything but the internal energy, which only output times need.
 void World::close_balance() {
   EnergyFlow sum;
-  const auto add = [&sum](const EnergyFlow& flow) {
+  for (const auto& ply : plies_) {
+    const EnergyFlow flow = ply->energy_flow();
     sum.kinetic += flow.kinetic;
     sum.lost += flow.lost;
     sum.put_in += flow.put_in;
-  };
-  for (const auto& ply : plies_) add(ply->energy_flow());
-  if (tools_) add(tools_->energy_flow());
-  if (between_) add(between_->energy_flow());
+  }
+  if (ply_contact_) sum.lost += ply_contact_->energy_flow().lost;
+  if (tools_) {
+    const EnergyFlow flow = tools_->energy_flow();
+    sum.kinetic += flow.kinetic;
+    sum.lost += flow.lost;
+    sum.put_in += flow.put_in;
+  }
   balance_.kinetic = parts_ * sum.kinetic;
   balance_.damping = parts_ * sum.lost;
   balance_.external = parts_ * sum.put_in;
@@ -151,8 +170,8 @@ void World::look_at_stored_energy() {
     sum.bending += energy.bending;
     sum.hourglass += energy.hourglass;
   }
+  if (ply_contact_) sum.total += ply_contact_->stored_energy().total;
   if (tools_) sum.total += tools_->stored_energy().total;
-  if (between_) sum.total += between_->stored_energy().total;
   balance_.internal = parts_ * sum.total;
   balance_.bending = parts_ * sum.bending;
   balance_.hourglass = parts_ * sum.hourglass;
@@ -167,12 +186,12 @@ void World::archive(Archive& archive) {
   for (double* energy : {&balance_.internal, &balance_.kinetic, &balance_.damping, &balance_.external,
                          &balance_.bending, &balance_.hourglass, &balance_.start, &balance_.greatest})
     archive.number("an energy", *energy);
+  if (ply_contact_) ply_contact_->archive(archive);
   if (tools_) tools_->archive(archive);
   for (auto& ply : plies_) {
     ply->archive(archive);
     ply->set_step(viscous_time_, step_);
   }
-  if (between_) between_->archive(archive);
 }
 
 }  // namespace weaveform

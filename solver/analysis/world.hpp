@@ -1,4 +1,4 @@
-// The world of an analysis: plies, their contact with each other, the tools that touch them, and their common clock. It knows the theory's order of a
+// The world of an analysis: plies, the tools that touch them, and their common clock. It knows the theory's order of a
 // step (stable step, forces, motion, energies) and nothing of files, histories or verdicts, which are the observers'.
 #pragma once
 
@@ -24,9 +24,8 @@ struct PlyInput {
   const Mesh& whole;
   const SymmetricPart* part = nullptr;
   const Card& card;
-  const Scene& scene;                         // its model, grips and frame
-  const std::vector<Tool>* tools = nullptr;   // at this ply's own distance from them; none: the world's
-  std::string name = {};                      // for messages; "" of a single ply
+  const Scene& scene;                        // its model, grips and frame
+  const std::vector<Tool>* tools = nullptr;  // at this ply's own distance from them; none: the world's
 };
 
 // `scene` says analysis, tools and output; `tools` are those of the scene in its order, made (mesher/tools/tool.hpp).
@@ -36,8 +35,10 @@ struct WorldSetup {
   std::vector<Tool> tools;
   const Scene& scene;
   Loading loading;
+  // Of each pair of plies, which then touch (ply_contact.hpp); none: they do not know of each other.
+  std::function<PairLaw(int lower, int upper)> pair_law = nullptr;
+  std::vector<std::string> ply_names = {};  // for messages
   double longest_step = std::numeric_limits<double>::infinity();  // s; none is taken that is longer
-  std::function<PairLaw(int, int)> pair_law = {};  // between plies lower and upper; none: they pass through each other
   Team& team;
 };
 
@@ -52,8 +53,8 @@ public:
   // Null without tools.
   [[nodiscard]] const RigidTools* tools() const { return tools_.get(); }
   [[nodiscard]] const Contact* contact(std::size_t ply) const { return tools_ ? contacts_[ply] : nullptr; }
-  // Null of a single ply, and of plies without laws between them.
-  [[nodiscard]] const PlyContact* between() const { return between_.get(); }
+  // Null where plies do not know of each other.
+  [[nodiscard]] const PlyContact* ply_contact() const { return ply_contact_.get(); }
   [[nodiscard]] int parts() const { return parts_; }  // the whole is this many times what is solved
 
   [[nodiscard]] double time() const { return plies_.front()->state().time; }         // s
@@ -69,7 +70,8 @@ public:
   [[nodiscard]] double step() const { return step_; }                    // s; the next
   [[nodiscard]] double smallest_step() const { return smallest_step_; }  // s; so far
   [[nodiscard]] const std::string& step_set_by() const { return step_set_by_; }
-  // Whether yarns come to strains beyond what the step allows: it must be renewed at once.
+  // Whether yarns come to strains beyond what the step allows, or plies to press each other that had not: it must be
+  // renewed at once.
   [[nodiscard]] bool passes_reach();
 
   // One step with the forces at hand; energies and grip forces are then known for its beginning. With `last` the clock
@@ -90,14 +92,14 @@ public:
 
 private:
   void make_tools(const WorldSetup& setup);
-  void join_plies(const WorldSetup& setup);
+  void make_ply_contact(const WorldSetup& setup);
   void close_balance();
 
   std::vector<std::unique_ptr<Ply>> plies_;
+  std::unique_ptr<PlyContact> ply_contact_;
   std::unique_ptr<RigidTools> tools_;
   std::vector<Contact*> contacts_;                   // of each ply, which owns it
   std::vector<const std::vector<ToolLoad>*> loads_;  // theirs
-  std::unique_ptr<PlyContact> between_;
   const Scene& scene_;
   double duration_, longest_step_;  // s
   int parts_;

@@ -62,8 +62,8 @@ struct PairReading {
   double friction_force = 0.0;     // N; sum of the sizes of the tangential ones
   double depth = 0.0;              // mm; greatest now
   double greatest_depth = 0.0;     // mm; so far
-  double greatest_slip = 0.0;      // mm; longest slip path of a node
-  double mean_slip = 0.0;          // mm; of the slip paths, over the area that ever touched
+  double greatest_slip = 0.0;      // mm; longest slip path of a node, so far
+  double mean_slip = 0.0;          // mm; of the slip paths, over the area that touches
   double pressure = 0.0;           // MPa; greatest now
   double greatest_pressure = 0.0;  // MPa; so far
   double stored = 0.0;             // mJ; in the springs
@@ -93,6 +93,7 @@ public:
   void add_stiffness_bound(int ply, double fabric_frequency, std::vector<double>& bound) const;
   // Whether a pair has come to touch since the bound was last asked for: the step must be renewed at once.
   [[nodiscard]] bool passes_bound() const;
+  void renew_bound();  // from now on the bound has all pairs that have pressed each other
   void archive(Archive& archive);
 
   // Every pair, lower first: (0, 1), (0, 2), ..., (1, 2), ...

@@ -86,16 +86,15 @@ void Ply::perturb(double size, std::uint64_t seed) {
   if (ties_) ties_->follow(state_);
 }
 
-StableStep Ply::renew_stable_step(const StiffnessBound& contact) {
+StableStep Ply::renew_stable_step() {
   reach_.renew();
   yarn_modulus_ = critical_step_.stiffest(reach_.allowed());
   const auto position = positions();
   StableStep stable = critical_step_(position, yarn_modulus_);
-  if (!actors_.empty() || contact) {
+  if (!actors_.empty()) {
     const double fabric_frequency = 2.0 / finite_step(stable.step);
     std::vector<double> further(mesh_.node_count(), 0.0);
     for (const auto& actor : actors_) actor->add_stiffness_bound(position, fabric_frequency, further);
-    if (contact) contact(fabric_frequency, further);
     stable = critical_step_(position, yarn_modulus_, further);
     for (const auto& actor : actors_)
       if (actor->longest_step() < stable.step) stable = {actor->longest_step(), actor->name()};
@@ -106,11 +105,6 @@ StableStep Ply::renew_stable_step(const StiffnessBound& contact) {
 void Ply::set_step(double viscous_time, double step) {
   forces_.set_viscosity({viscous_time * yarn_modulus_[0], viscous_time * yarn_modulus_[1]});
   forces_.set_look_ahead(steps_ahead * step);
-}
-
-void Ply::compute_forces(double step) {
-  compute_own_forces(step);
-  give_on_forces();
 }
 
 void Ply::compute_own_forces(double step) {

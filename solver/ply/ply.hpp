@@ -71,19 +71,20 @@ public:
   [[nodiscard]] double fabric_step() const { return fabric_step_; }
   // From now on what yarns reached since the last call is allowed (reach.hpp); the longest stable step with that. Where
   // every node is held nothing sets one: a row of history is then as good as any.
-  // `contact` adds stiffness bounds of what acts between plies, as Actor::add_stiffness_bound does.
-  using StiffnessBound = std::function<void(double fabric_frequency, std::vector<double>& bound)>;
-  [[nodiscard]] StableStep renew_stable_step(const StiffnessBound& contact = {});
+  [[nodiscard]] StableStep renew_stable_step();
   // `viscous_time` (s): beta of yarn.hpp; `step` (s): the one to be taken. Again after an archive was read.
   void set_step(double viscous_time, double step);
   // Whether yarns have come, or come within the next steps, to strains beyond what the step allows.
   [[nodiscard]] bool passes_reach() { return reach_.passed_by(forces_.strains()); }
 
-  // Forces of everything that acts, given on by what follows others, at state().position and time.
-  void compute_forces(double step);
-  // The same in two, for who adds what acts between plies: the ply's own, and what nodes give on.
+  // Forces of everything that acts, given on by what follows others, at state().position and time: its own, and then
+  // what else the caller adds in between.
   void compute_own_forces(double step);
   void give_on_forces();
+  void compute_forces(double step) {
+    compute_own_forces(step);
+    give_on_forces();
+  }
   // One leapfrog step, grips included (motion.hpp); holds() know their displacements. The last one only tells the
   // velocities and reactions at its beginning: positions stay.
   void advance(double step_before, double step, bool last);

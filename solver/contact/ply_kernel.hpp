@@ -1,0 +1,102 @@
+// The contact law between nodes of one ply and the surface of another, for the nodes of one block.
+//
+// A node's foot is y = S(xi, eta) on a cell with corners x_0 (0, 0), x_1 (1, 0), x_2 (0, 1), x_3 (1, 1),
+//   N_3 = xi eta, N_1 = xi - N_3, N_2 = eta - N_3, N_0 = 1 - xi - eta + N_3        (a triangle x_0 x_1 x_2: N_3 = 0)
+// where the line from x along the node's own normal n meets it: x - S(xi, eta) = s n, by one Newton step from the foot
+// of the step before. r = x - y, and the depth is p = reach - |r|, |r| counted negative beyond the surface.
+//
+// With the share's stiffness k of the node (ply_law.hpp) and the softening depth d:
+//   normal    N = k p^2/(2d) for p < d, k (p - d/2) beyond; or A P(p) of a measured compaction. Plus damping
+//             c min(p/d, 1) dp/dt, never pulling
+//   friction  t = S_xi (xi - xi_a) + S_eta (eta - eta_a), from the anchor in the cell's own coordinates to the foot;
+//             spring k_t t and damper c_t dt/dt together, cut to mu N + A tau(slip) as a whole, whereupon the anchor
+//             follows (return mapping). slip = path so far + |t|, so that under growing slip tau is that of the table.
+// What is lost is counted as in contact_kernel.hpp: each force over half the way before and half the way after.
+//
+// The node takes F = N r/|r| + T, T = q_1 S_xi + q_2 S_eta; corner a takes -N_a F + r (q_1 N_a,xi + q_2 N_a,eta). The
+// corners' sum is -F, and their moments with the node's give r x F + (q_1 S_xi + q_2 S_eta) x r = r x T + T x r = 0.
+#pragma once
+
+namespace weaveform {
+
+inline constexpr int ply_nodes_at_a_time = 64;
+
+// A curve of values at i / per_unit, i = 0 .. intervals; beyond it goes on with `last_slope`.
+struct EvenTable {
+  const double* value = nullptr;
+  double per_unit = 0.0;  // 1/mm
+  int intervals = 0;
+  double last_slope = 0.0;  // per interval
+};
+
+struct PlyPassLaw {
+  double reach = 0.0;         // mm; |r| at which the two touch
+  double side = 1.0;          // +1 where the nodes lie above the surface, -1 below
+  double softening = 0.0;     // mm; d
+  double damping_time = 0.0;  // s; c over k
+  double tangential = 1.0;    // 1; k_t over k
+  double friction = 0.0;      // 1; mu
+  double share = 1.0;         // 1; of the pressure, the shear stress and the area that these nodes carry
+  EvenTable shear;            // MPa; tau of the slip path; none: nothing
+  double adhesion = 0.0;      // mm; tau acts down to this depth (negative: across a gap)
+  EvenTable pressure;         // MPa; P of the depth; none: springs
+  EvenTable pressure_energy;  // mJ/mm^2; its integral
+};
+
+// Arrays of `count` entries, but for those of the surface.
+struct PlyPassNodes {
+  int count;
+  const double* x[3];        // mm
+  const double* normal[3];   // along the node's normal, upwards; of any length but 0
+  const double* stiffness;   // N/mm; k; 0 where no node is, or its foot is off the surface
+  const double* area;        // mm^2; of the fabric around the node
+  const int* corner[4];      // nodes of the foot's cell; the fourth is the first for a triangle
+  const double* surface[3];  // mm; positions of the other ply's nodes
+  double* place[2];          // xi, eta
+  double* anchor[2];         // likewise
+  double* depth;             // mm; p at the step before, then now
+  double* drag[3];           // N; of the dampers at the step before, then now: normal, and the components q of T
+  double* path;              // mm; slip so far
+  double* force[3];          // N; becomes F
+  double* back[4][3];        // N; becomes what the corners take
+  double* tangential_force;  // N; becomes |T|
+  double* normal_force;      // N; becomes N
+};
+
+// Sums over a block.
+struct PlyPassSums {
+  double area = 0.0;             // mm^2; share of what touches
+  double normal = 0.0;           // N
+  double friction = 0.0;         // N
+  double energy = 0.0;           // mJ; stored
+  double friction_work = 0.0;    // mJ; lost along the surface, over the step just made
+  double damping_work = 0.0;     // mJ; lost across it
+  double depth = -1e300;         // mm; greatest
+  double pressure = 0.0;         // MPa; greatest
+  double outside = -1.0;         // 1; greatest way of a foot out of its cell, in the cell's coordinates
+};
+
+// `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
+using PlyPass = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes);
+
+// Normals of nodes between their neighbours in four directions: n = (east - west) x (north - south).
+using PlyNormals = void(int count, const double* const (&west)[3], const double* const (&east)[3],
+                        const double* const (&south)[3], const double* const (&north)[3], double* const (&normal)[3]);
+
+// into[i] += from[i]; from[i] = 0.
+using PlyFold = void(int count, double* from, double* into);
+
+// mm/s; greatest speed where inverse_mass > 0.
+using PlySpeed = double(int count, const double* mass, const double* const (&v)[3]);
+
+struct PlyLoops {
+  PlyPass* springs;             // Coulomb, springs
+  PlyPass* tables;              // with tables of shear or pressure, either or both
+  PlyNormals* normals;
+  PlyFold* fold;
+  PlySpeed* speed;
+};
+
+[[nodiscard]] const PlyLoops& loops_of_plies();
+
+}  // namespace weaveform
