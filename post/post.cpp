@@ -56,8 +56,8 @@ void evaluate_plies(const Resolved& model, const Fields& end, const History& his
     of_ply.statistics = summary.statistics;
     of_ply.forming = summary.ply.back().forming;
     of_ply.folds = summary.ply.back().folds;
-    for (const std::string& line : warnings(
-             {ply.scene, ply.card, ply.mesh, ply.tools, ply.extent(), own, history, of_ply}, WarningsOf::one_ply))
+    for (const std::string& line :
+         warnings({ply.scene, ply.card, ply.mesh, ply.tools, ply.extent(), own, history, of_ply}, WarningsOf::one_ply))
       of_plies.push_back(name_before(model, k) + line);
   }
   summary.warning = warnings({model.scene, model.card, model.mesh, model.tools, model.extent(), end, history, summary},

@@ -23,6 +23,7 @@
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/transfer/fibre_field.hpp"
+#include "post/transfer/layered.hpp"
 #include "post/transfer/write_fibre.hpp"
 #include "solver/analysis/loading.hpp"
 #include "solver/result/file_names.hpp"
@@ -33,6 +34,8 @@ namespace weaveform {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double usual_group_angle = 1.0;  // deg
 
 struct ExportArguments {
   std::string from;  // scene file or folder
@@ -75,9 +78,10 @@ Resolved one_ply_of(Resolved model, const ExportArguments& arguments) {
   std::vector<std::string> names;
   for (const MeshPly& ply : model.mesh.ply) names.push_back(ply.name);
   if (!asked && model.ply.size() > 1)
-    throw InputError(fmt::format("--format {} takes one ply of a stack, without what the others do to it; say with --ply "
-                                 "which: {}",
-                                 arguments.format, fmt::join(names, ", ")));
+    throw InputError(
+        fmt::format("--format {} takes one ply of a stack, without what the others do to it; say with --ply "
+                    "which: {}",
+                    arguments.format, fmt::join(names, ", ")));
   Resolved one = std::move(model.ply[asked.value_or(0)]);
   one.mesh.first_shown = 0;
   return one;
@@ -189,11 +193,10 @@ void warn_of_far_shells(const ExportArguments& arguments, const FibreField& fiel
 }
 
 FibreText fibre_text(const ExportArguments& arguments, FibreFormat format, const FibreField& field) {
-  constexpr double group_angle = 1.0;  // deg
   if (format == FibreFormat::csv) return fibre_csv(field);
   if (format == FibreFormat::orientation_abaqus) return orientation_abaqus(field, version_line());
   if (format == FibreFormat::orientation_calculix)
-    return orientation_calculix(field, arguments.group_angle.value_or(group_angle), version_line());
+    return orientation_calculix(field, arguments.group_angle.value_or(usual_group_angle), version_line());
   return drape_openradioss(field, version_line());
 }
 
@@ -222,6 +225,42 @@ nlohmann::ordered_json fibres_json(const ExportArguments& arguments, const Fibre
   return json;
 }
 
+FibreText layers_text(const ExportArguments& arguments, FibreFormat format, const std::vector<FibreLayer>& layers) {
+  if (format == FibreFormat::csv) return layers_csv(layers);
+  if (format == FibreFormat::orientation_abaqus) return layers_abaqus(layers, version_line());
+  if (format == FibreFormat::orientation_calculix)
+    return layers_calculix(layers, arguments.group_angle.value_or(usual_group_angle), version_line());
+  return layers_openradioss(layers, version_line());
+}
+
+// All plies of a stack: mapped onto one structural mesh, of which they are the layers, or one after another in a table.
+void export_layers(const ExportArguments& arguments, FibreFormat format, ResultFolder& result) {
+  if (format == FibreFormat::vtu)
+    throw InputError("--format vtu holds the fibres of one ply; say with --ply which, or take csv for all");
+  if (arguments.onto.empty() && format != FibreFormat::csv)
+    throw InputError(
+        fmt::format("--format {} makes the plies of a stack layers of a structural shell: give its mesh with --onto, "
+                    "or one ply with "
+                    "--ply",
+                    arguments.format));
+  std::vector<FibreLayer> layers = read_fibre_layers(result);
+  if (!arguments.onto.empty())
+    for (FibreLayer& layer : layers) {
+      layer.field = mapped(arguments, format, layer.field);
+      warn_of_far_shells(arguments, layer.field);
+    }
+  const FibreText file = layers_text(arguments, format, layers);
+  write_text_whole(arguments.output, file.text);
+  log_not_carried(arguments, file.not_carried);
+  if (arguments.json) {
+    nlohmann::ordered_json json = fibres_json(arguments, layers.front().field, file.not_carried);
+    for (const FibreLayer& layer : layers) json["layers"].push_back({{"ply", layer.ply}, {"material", layer.material}});
+    return print_answer(json_text(json));
+  }
+  if (!arguments.quiet)
+    print_answer(fmt::format("{}, {} layers", describe_fibres(arguments, layers.front().field), layers.size()));
+}
+
 void export_fibres(const ExportArguments& arguments, FibreFormat format) {
   if (arguments.is_static || !arguments.materials.empty())
     throw InputError(
@@ -235,7 +274,9 @@ void export_fibres(const ExportArguments& arguments, FibreFormat format) {
                    format == FibreFormat::csv   ? "thickness_mm,fibre_volume_ratio,"
                    : format == FibreFormat::vtu ? "Name=\"fibre_volume_ratio\""
                                                 : "");
-  FibreField field = read_fibre_field(result);
+  if (!result.scene().ply.empty() && arguments.ply.empty()) return export_layers(arguments, format, result);
+  FibreField field = arguments.ply.empty() ? read_fibre_field(result)
+                                           : read_fibre_field(result, ply_asked(arguments, result.model()).value());
   std::vector<std::string> not_carried;
   if (!arguments.onto.empty()) field = mapped(arguments, format, field);
   warn_of_far_shells(arguments, field);
@@ -313,7 +354,9 @@ void add_export_command(CLI::App& program) {
                    "lsdyna, openradioss: built-in (what the code has itself) or user (constants of a user material)")
       ->type_name("WHOSE")
       ->check(CLI::IsMember(choice_names<Materials>()));
-  command->add_option("--ply", arguments->ply, "Of a stack: the ply that is meant; left out: all, where the format has layers")
+  command
+      ->add_option("--ply", arguments->ply,
+                   "Of a stack: the ply that is meant; left out: all, where the format has layers")
       ->type_name("NAME");
   command->add_flag("--static", arguments->is_static, "calculix: *STATIC instead of *DYNAMIC; a plane scene");
   command

@@ -34,8 +34,8 @@ constexpr double membrane_rate = 8e6, bending_rate = 4e6, shell_rate = 1.5e6;
 // A tool's contact over the step of a membrane: shapes, and triangles (the two of the tutorial's pan).
 constexpr double shape_share = 0.2, triangles_share = 1.8;
 constexpr double ply_contact_share = 0.6;  // of plies with each other, over the step of a membrane, at most
-constexpr double far_off = 10.0;  // a setting so many times from what would be chosen is the first to look at
-constexpr double nearly = 10.0;   // an estimate from the first step and a tabulated rate may be that wrong
+constexpr double far_off = 10.0;           // a setting so many times from what would be chosen is the first to look at
+constexpr double nearly = 10.0;            // an estimate from the first step and a tabulated rate may be that wrong
 constexpr int measured_steps = 60;
 
 std::string where(const Scene& scene) {
@@ -152,8 +152,7 @@ ExpectedRun expectation(const Resolved& model, const Solve& solve, double second
     size.cells += own.cells;
     size.crossings += own.crossings;
   }
-  return {model.mesh.cells.size(),      solve.cells, solve.steps(), solve.step, seconds,
-          expected_memory(model.scene, size)};
+  return {model.mesh.cells.size(), solve.cells, solve.steps(), solve.step, seconds, expected_memory(model.scene, size)};
 }
 
 }  // namespace
@@ -182,8 +181,8 @@ void require_memory(const Scene& scene, const Card& card, const BlankOutline& ou
 void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes) {
   if (yes) return;
   const double columns = expected_columns(scene);
-  const double cell = (scene.tools.empty() ? frame_bytes : frame_bytes_with_tools) +
-                      (scene.ply.empty() ? 0.0 : frame_bytes_of_slip);
+  const double cell =
+      (scene.tools.empty() ? frame_bytes : frame_bytes_with_tools) + (scene.ply.empty() ? 0.0 : frame_bytes_of_slip);
   const double frame = cell * mesh.cells.size();
   const double bytes = mesh_bytes * mesh.cells.size() + frame * (scene.output.frames + 1.0) +
                        number_bytes * columns * scene.output.history;

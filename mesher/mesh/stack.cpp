@@ -34,8 +34,7 @@ void add_elements(const Mesh& own, const MeshPly& at, Mesh& stack) {
                     own.cells.area[c], {i, j + at.first_row});
   }
   for (const MeshTie& tie : own.tie)
-    stack.tie.push_back(
-        {tie.node + at.first_node, {tie.to[0] + at.first_node, tie.to[1] + at.first_node}, tie.share});
+    stack.tie.push_back({tie.node + at.first_node, {tie.to[0] + at.first_node, tie.to[1] + at.first_node}, tie.share});
 }
 
 void add_sets(const Mesh& own, int first_node, Mesh& stack) {
@@ -76,8 +75,8 @@ Mesh joined_mesh(const std::vector<NamedMesh>& plies) {
   int row = 0;
   for (const auto& [name, mesh] : plies) {
     const Mesh& own = *mesh;
-    const MeshPly at{name,          stack.node_count(), stack.yarn_count(), stack.cells.size(), tie_count(stack), row,
-                     own.spacing,   own.lattice_size,   own.thickness};
+    const MeshPly at{name, stack.node_count(), stack.yarn_count(), stack.cells.size(), tie_count(stack),
+                     row,  own.spacing,        own.lattice_size,   own.thickness};
     add_nodes(own, row, with_flat, stack);
     add_elements(own, at, stack);
     add_sets(own, at.first_node, stack);

@@ -47,8 +47,9 @@ void require_outline_file(const Scene& scene) {
   if (scene.blank.outline.empty()) return;
   const fs::path file = fs::path(scene.file).parent_path() / scene.blank.outline;
   if (!fs::exists(file))
-    throw FileError(fmt::format("{}: outline: {}: no such file; correct the path, which is taken from the scene's folder",
-                                scene.file, file.string()));
+    throw FileError(
+        fmt::format("{}: outline: {}: no such file; correct the path, which is taken from the scene's folder",
+                    scene.file, file.string()));
 }
 
 // Card and outline. Grips that hold whatever lies in their box leave a ply alone that has nothing there.
@@ -196,10 +197,10 @@ void resolve_stack_around(Resolved& model) {
   bool same = model.mesh.ply.size() == plies.size();
   for (std::size_t k = 0; k < plies.size() && same; ++k) same = model.mesh.ply[k].name == plies[k].name;
   if (!same)
-    throw InputError(fmt::format("{}: its plies are not those of the mesh, which has {}; make the mesh again with "
-                                 "'weaveform mesh'",
-                                 model.scene.file,
-                                 model.mesh.ply.empty() ? "none" : std::to_string(model.mesh.ply.size())));
+    throw InputError(
+        fmt::format("{}: its plies are not those of the mesh, which has {}; make the mesh again with "
+                    "'weaveform mesh'",
+                    model.scene.file, model.mesh.ply.empty() ? "none" : std::to_string(model.mesh.ply.size())));
   for (std::size_t k = 0; k < plies.size(); ++k) {
     Resolved& ply = model.ply.emplace_back();
     ply.scene = scene_of_ply(model.scene, k);

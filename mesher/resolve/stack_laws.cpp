@@ -61,9 +61,10 @@ fs::path beside_scene(const Scene& scene, const std::string& file) {
 std::string text_of_law(const Scene& scene, const char* key, const std::string& name) {
   const fs::path file = beside_scene(scene, name);
   if (!fs::exists(file))
-    throw FileError(fmt::format("{}: stack.{}: {}: no such file; correct the path, which is taken from the scene's "
-                                "folder",
-                                scene.file, key, file.string()));
+    throw FileError(
+        fmt::format("{}: stack.{}: {}: no such file; correct the path, which is taken from the scene's "
+                    "folder",
+                    scene.file, key, file.string()));
   return read_text_file(file);
 }
 
@@ -74,8 +75,8 @@ Table read_shear_law(const std::string& text, const std::string& file) {
   require_rising(table, table.row, 0, true, "the slip");
   for (std::size_t k = 0; k < table.row.size(); ++k)
     if (!(table.row[k][1] >= 0.0))
-      throw InputError(fmt::format("{}: the shear stress is {:g} MPa; it must be 0 or more", table.place[k],
-                                   table.row[k][1]));
+      throw InputError(
+          fmt::format("{}: the shear stress is {:g} MPa; it must be 0 or more", table.place[k], table.row[k][1]));
   return table.row;
 }
 

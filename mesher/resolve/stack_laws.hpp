@@ -10,10 +10,10 @@
 namespace weaveform {
 
 struct ResolvedPair {
-  double friction = 0.0;                           // 1; Coulomb
-  std::vector<std::array<double, 2>> shear_law;    // slip (mm), shear stress (MPa), rising slip; none: Coulomb alone
-  std::vector<std::array<double, 2>> compaction;   // approach (mm), pressure (MPa), both rising; none: faces hardly give
-  double gap = 0.0;                                // mm; between their faces at the start
+  double friction = 0.0;                          // 1; Coulomb
+  std::vector<std::array<double, 2>> shear_law;   // slip (mm), shear stress (MPa), rising slip; none: Coulomb alone
+  std::vector<std::array<double, 2>> compaction;  // approach (mm), pressure (MPa), both rising; none: faces hardly give
+  double gap = 0.0;                               // mm; between their faces at the start
 };
 
 // The laws between plies `one` and `other` by name. Throws FileError (a file is not there) and InputError (it is no such

@@ -128,7 +128,7 @@ void check_blank(const BlankSpec& blank, const toml::table& table, const char* t
   const auto goes_with = [&](const char* key, bool given, BlankShape shape) {
     if (given && blank.shape != shape)
       complaints.add(place_of(table, key), fmt::format("'{}' is of no use here; it needs shape = \"{}\", not \"{}\"",
-                                                        key, name_of(shape), name_of(blank.shape)));
+                                                       key, name_of(shape), name_of(blank.shape)));
     if (!given && blank.shape == shape)
       complaints.add(place_of(table, "shape"),
                      fmt::format("a blank of shape \"{}\" needs '{}'; add it", name_of(shape), key));
@@ -188,7 +188,8 @@ void check_plies(const Scene& scene, const toml::table& root, Complaints& compla
   if (scene.ply.size() > most_plies)
     complaints.add(*table_at(root, "ply", most_plies),
                    fmt::format("{} plies; a stack has {} at most", scene.ply.size(), most_plies));
-  if (scene.frame) complaints.add(*table_at(root, "frame", 0), "a shear frame holds one ply; leave [frame] or [[ply]] out");
+  if (scene.frame)
+    complaints.add(*table_at(root, "frame", 0), "a shear frame holds one ply; leave [frame] or [[ply]] out");
 }
 
 std::vector<std::string> ply_names(const Scene& scene) {
@@ -201,9 +202,8 @@ std::vector<std::string> ply_names(const Scene& scene) {
 void check_ply_name(const std::string& name, const std::vector<std::string>& plies, const toml::table& table,
                     const char* key, Complaints& complaints) {
   if (name.empty() || std::find(plies.begin(), plies.end(), name) != plies.end()) return;
-  complaints.add(place_of(table, key),
-                 fmt::format("'{}' names '{}', and there is no such [[ply]]{}", key, name,
-                             plies.empty() ? "; the scene has none" : did_you_mean(name, plies)));
+  complaints.add(place_of(table, key), fmt::format("'{}' names '{}', and there is no such [[ply]]{}", key, name,
+                                                   plies.empty() ? "; the scene has none" : did_you_mean(name, plies)));
 }
 
 void check_pairs(const Scene& scene, const toml::table& stack, Complaints& complaints) {
@@ -221,8 +221,8 @@ void check_pairs(const Scene& scene, const toml::table& stack, Complaints& compl
     }
     std::sort(names.begin(), names.end());
     if (std::find(seen.begin(), seen.end(), names) != seen.end())
-      complaints.add(place_of(*table, "plies"), fmt::format("two [[stack.pair]] are of '{}' and '{}'; keep one",
-                                                            names[0], names[1]));
+      complaints.add(place_of(*table, "plies"),
+                     fmt::format("two [[stack.pair]] are of '{}' and '{}'; keep one", names[0], names[1]));
     seen.push_back(std::move(names));
   }
 }
@@ -246,8 +246,7 @@ void check_stack(const Scene& scene, const toml::table& root, Complaints& compla
 }  // namespace
 
 void check_scene(const Scene& scene, const toml::table& root, Complaints& complaints) {
-  if (const toml::table* table = table_at(root, "fabric", 0))
-    check_material(scene.fabric.material, *table, complaints);
+  if (const toml::table* table = table_at(root, "fabric", 0)) check_material(scene.fabric.material, *table, complaints);
   check_names(scene.grip, root, "grip", complaints);
   check_names(scene.measure, root, "measure", complaints);
   if (const toml::table* table = table_at(root, "blank", 0)) check_blank(scene.blank, *table, "[blank]", complaints);

@@ -55,6 +55,12 @@ const SceneTable* find_table(const std::string& key, const std::string& name, Co
   return nullptr;
 }
 
+bool is_index_below(const std::string& text, std::size_t count) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  return error == std::errc{} && end == text.data() + text.size() && index < count;
+}
+
 // The element of a list of tables with this name, or at this 0-based index.
 toml::table* find_element(toml::table& root, const std::string& key, const std::string& list_name,
                           const std::string& element, Complaints& complaints) {
@@ -102,8 +108,13 @@ bool leads_to_a_pair(const std::vector<std::string>& parts) {
 toml::table* find_pair(toml::table& root, const std::string& key, const std::vector<std::string>& parts,
                        Complaints& complaints) {
   toml::table* stack = root["stack"].as_table();
-  if (parts.size() == 4 && stack != nullptr) return find_element(*stack, key, "pair", parts[2], complaints);
-  complaints.add_override(key, stack == nullptr ? "the scene has no [stack]" : "write stack.pair.NUMBER.KEY=VALUE");
+  const toml::array* pairs = stack == nullptr ? nullptr : (*stack)["pair"].as_array();
+  const std::size_t count = pairs == nullptr ? 0 : pairs->size();
+  if (parts.size() == 4 && count > 0 && is_index_below(parts[2], count))
+    return find_element(*stack, key, "pair", parts[2], complaints);
+  complaints.add_override(key,
+                          fmt::format("write stack.pair.NUMBER.KEY=VALUE; the scene has {} [[stack.pair]]{}",
+                                      count == 0 ? "no" : std::to_string(count), count == 0 ? "" : ", counted from 0"));
   return nullptr;
 }
 

@@ -86,10 +86,10 @@ struct PairSpec {
 
 // How the plies of a stack lie and slide on each other.
 struct StackSpec {
-  double friction = 0.0;      // 1; Coulomb coefficient between plies
-  std::string friction_law;   // CSV file of slip (mm) and shear stress (MPa), beside Coulomb; relative to the scene file
-  double gap = 0.0;           // mm; between the faces of plies at the start, where the scene does not place them
-  std::string compaction;     // CSV file of approach (mm) and pressure (MPa); none: faces that hardly give way
+  double friction = 0.0;     // 1; Coulomb coefficient between plies
+  std::string friction_law;  // CSV file of slip (mm) and shear stress (MPa), beside Coulomb; relative to the scene file
+  double gap = 0.0;          // mm; between the faces of plies at the start, where the scene does not place them
+  std::string compaction;    // CSV file of approach (mm) and pressure (MPa); none: faces that hardly give way
   std::vector<PairSpec> pair;
   bool operator==(const StackSpec&) const = default;
 };
@@ -100,7 +100,7 @@ struct GripSpec {
   std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax in the blank's frame (centre = origin)
   double travel = 0.0;                       // mm; along direction, smooth-step over the duration
   std::optional<std::array<double, 3>>
-      direction;                // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
+      direction;                   // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
   std::vector<Component> free;     // components left free, blank's frame
   std::vector<std::string> plies;  // of a stack, that it holds; none: all that have something there
   bool operator==(const GripSpec&) const = default;

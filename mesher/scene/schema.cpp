@@ -168,8 +168,9 @@ void read_pairs(const toml::node& node, StackSpec& stack, Complaints& complaints
 // [stack] and its list [[stack.pair]]; of a scene with plies only.
 SceneTable stack_table() {
   SceneTable table{.name = "stack",
-                   .doc = "How the plies of a stack lie and slide on each other. Two plies may have numbers of their own "
-                          "in a `[[stack.pair]]`: `pair.plies`, and any of the others as `pair.NAME`.",
+                   .doc =
+                       "How the plies of a stack lie and slide on each other. Two plies may have numbers of their own "
+                       "in a `[[stack.pair]]`: `pair.plies`, and any of the others as `pair.NAME`.",
                    .keys = describe_keys("stack", stack_keys())};
   for (KeyInfo& key : describe_keys("stack", pair_keys())) {
     key.name = "pair." + key.name;

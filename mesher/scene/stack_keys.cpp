@@ -42,7 +42,8 @@ constexpr const char* law_file =
     "CSV file, relative to the scene file: slip (mm), shear stress (MPa), rising slip from 0 on; what plies that touch "
     "carry beside Coulomb's friction, by the slip since they came to touch";
 constexpr const char* compaction_file =
-    "CSV file, relative to the scene file: `approach_mm,pressure_MPa`, how far two plies' middle planes have come nearer "
+    "CSV file, relative to the scene file: `approach_mm,pressure_MPa`, how far two plies' middle planes have come "
+    "nearer "
     "under a pressure, or `thickness_mm,pressure_MPa`, the thickness of one ply under it; the first line names which. "
     "Left out: faces that give way by a few per cent of the thickness";
 
@@ -60,10 +61,11 @@ const std::vector<Key<StackSpec>>& stack_keys() {
                                  .limits = between(0, 10),
                                  .doc = "Coulomb coefficient between plies that touch"}),
       key<&StackSpec::friction_law>({.name = "friction_law", .doc = law_file}),
-      key<&StackSpec::gap>({.name = "gap",
-                            .unit = "mm",
-                            .limits = between(0, greatest_length),
-                            .doc = "between the faces of a ply and the next at the start, where that has no `position`"}),
+      key<&StackSpec::gap>(
+          {.name = "gap",
+           .unit = "mm",
+           .limits = between(0, greatest_length),
+           .doc = "between the faces of a ply and the next at the start, where that has no `position`"}),
       key<&StackSpec::compaction>({.name = "compaction", .doc = compaction_file}),
   };
   return keys;
@@ -71,10 +73,8 @@ const std::vector<Key<StackSpec>>& stack_keys() {
 
 const std::vector<Key<PairSpec>>& pair_keys() {
   static const std::vector<Key<PairSpec>> keys = {
-      key<&PairSpec::plies>({.name = "plies",
-                             .required = true,
-                             .identifier = true,
-                             .doc = "names of the two plies, in either order"}),
+      key<&PairSpec::plies>(
+          {.name = "plies", .required = true, .identifier = true, .doc = "names of the two plies, in either order"}),
       key<&PairSpec::friction>(
           {.name = "friction", .unit = "1", .limits = between(0, 10), .doc = "in place of `stack.friction`"}),
       key<&PairSpec::friction_law>({.name = "friction_law", .doc = "in place of `stack.friction_law`"}),

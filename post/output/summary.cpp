@@ -170,8 +170,7 @@ Json summary_json(const Summary& summary) {
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);
   if (summary.frame) json["frame"] = frame_json(*summary.frame);
   if (summary.forming) json["forming"] = forming_json(*summary.forming);
-  if (summary.folds)
-    json["folds"] = folds_json(*summary.folds);
+  if (summary.folds) json["folds"] = folds_json(*summary.folds);
   if (!summary.ply.empty()) add_plies(summary, json);
   json["warnings"] = summary.warning;
   return json;

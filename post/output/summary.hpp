@@ -43,7 +43,7 @@ struct MeasureSummary {
 struct PlySummary {
   std::string name, material;
   int cells = 0;
-  double max_shear_angle = 0.0;              // deg; greatest |angle|
+  double max_shear_angle = 0.0;                // deg; greatest |angle|
   std::array<double, 3> at = {0.0, 0.0, 0.0};  // mm; the centre of that cell
   double max_yarn_strain = 0.0;
   int folded = 0, beyond_card = 0;  // cells

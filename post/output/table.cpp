@@ -136,9 +136,8 @@ std::string pair_lines(const Summary& summary) {
   if (pairs.empty()) return "";
   std::size_t width = 16;
   for (const PairStatistics& pair : pairs) width = std::max(width, pair.lower.size() + pair.upper.size() + 2);
-  std::string text =
-      fmt::format("\n{:<{}}{:>10}{:>10}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "between plies", width, "slip mm", "mean mm",
-                  "contact mm2", "force N", "MPa, most", "into mm", "friction mJ");
+  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "between plies", width,
+                                 "slip mm", "mean mm", "contact mm2", "force N", "MPa, most", "into mm", "friction mJ");
   for (const PairStatistics& pair : pairs)
     text += fmt::format("{:<{}}{}{}{}{}{:>12.3g}{:>12.3g}{}\n", pair.lower + "/" + pair.upper, width,
                         aligned(pair.max_slip_mm), aligned(pair.mean_slip_mm), aligned(pair.contact_area_mm2, 0, 12),

@@ -108,14 +108,15 @@ std::vector<Track> contact_tracks(const Scene& scene) {
 }
 
 std::vector<Track> ply_tracks() {
-  return {{.name = "slip_path", .title = "slip between plies", .unit = "mm", .on = On::nodes, .from_zero = true},
-          {.name = "ply_pressure", .title = "pressure between plies", .unit = "MPa", .on = On::nodes, .from_zero = true},
-          {.name = "ply_friction",
-           .title = "friction between plies",
-           .unit = "",
-           .scale = Scale::categories,
-           .on = On::nodes,
-           .category = {"no contact", "sticks", "slips"}}};
+  return {
+      {.name = "slip_path", .title = "slip between plies", .unit = "mm", .on = On::nodes, .from_zero = true},
+      {.name = "ply_pressure", .title = "pressure between plies", .unit = "MPa", .on = On::nodes, .from_zero = true},
+      {.name = "ply_friction",
+       .title = "friction between plies",
+       .unit = "",
+       .scale = Scale::categories,
+       .on = On::nodes,
+       .category = {"no contact", "sticks", "slips"}}};
 }
 
 std::vector<double> as_numbers(const std::vector<bool>& flags) {

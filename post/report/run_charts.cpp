@@ -133,7 +133,8 @@ Json distribution(const Resolved& model, const Fields& end) {
                        fmt::format("share of the area in {:g}° (%)", bin));
   if (model.ply.empty()) chart.series.push_back(shares_of("share of the fabric", model.mesh, end, greatest));
   for (std::size_t k = 0; k < model.ply.size(); ++k) {
-    chart.series.push_back(shares_of(model.mesh.ply[k].name, model.ply[k].mesh, fields_of_ply(end, model.mesh, k), greatest));
+    chart.series.push_back(
+        shares_of(model.mesh.ply[k].name, model.ply[k].mesh, fields_of_ply(end, model.mesh, k), greatest));
     limit = std::min(limit, model.ply[k].card.shear.valid_to_deg);
   }
   Json json = chart_json("distribution", chart);
@@ -197,7 +198,8 @@ void add_forming(Json& charts, const Forming& forming, const Mesh& mesh, const F
 void add_forming_of_plies(Json& charts, const Resolved& model, const Evaluation& evaluation) {
   const auto& plies = evaluation.summary.ply;
   if (plies.empty() || !plies.front().forming) return;
-  if (plies.front().forming->punch) charts.push_back(chart_json("tool_force", punch_chart(*plies.front().forming->punch)));
+  if (plies.front().forming->punch)
+    charts.push_back(chart_json("tool_force", punch_chart(*plies.front().forming->punch)));
   for (std::size_t k = 0; k < plies.size(); ++k)
     add_shape(charts, *plies[k].forming, model.ply[k].mesh, fields_of_ply(evaluation.end, model.mesh, k),
               plies[k].name);

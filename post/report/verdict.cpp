@@ -133,11 +133,11 @@ void add_plies(Json& rows, const Summary& summary) {
     rows.push_back(row(fmt::format("ply {}", ply.name), fmt::format("{:.1f}°", ply.max_shear_angle), note));
   }
   for (const PairStatistics& pair : summary.statistics.pairs)
-    rows.push_back(row(fmt::format("slip of {} on {}", pair.upper, pair.lower), fmt::format("{:.3g} mm", pair.max_slip_mm),
-                       fmt::format("at most, {:.3g} mm in the mean; pressure {:.3g} MPa and penetration {:.3g} mm at "
-                                   "most, {:.3g} mJ lost to friction",
-                                   pair.mean_slip_mm, pair.max_pressure_MPa, pair.max_penetration_mm,
-                                   pair.friction_work_mJ)));
+    rows.push_back(
+        row(fmt::format("slip of {} on {}", pair.upper, pair.lower), fmt::format("{:.3g} mm", pair.max_slip_mm),
+            fmt::format("at most, {:.3g} mm in the mean; pressure {:.3g} MPa and penetration {:.3g} mm at "
+                        "most, {:.3g} mJ lost to friction",
+                        pair.mean_slip_mm, pair.max_pressure_MPa, pair.max_penetration_mm, pair.friction_work_mJ)));
 }
 
 Json rows_of(const Summary& summary, const Card& card, const Greatest& greatest) {
@@ -175,10 +175,9 @@ Json trust_of(ResultFolder& folder, const Summary& summary) {
   const auto bends = [](const ModelSpec& model) {
     return model.yarn == YarnElement::beam || model.cell != CellElement::membrane;
   };
-  const bool has_bending =
-      scene.ply.empty() ? bends(scene.model)
-                        : std::all_of(scene.ply.begin(), scene.ply.end(),
-                                      [&](const PlySpec& ply) { return bends(ply.model); });
+  const bool has_bending = scene.ply.empty() ? bends(scene.model)
+                                             : std::all_of(scene.ply.begin(), scene.ply.end(),
+                                                           [&](const PlySpec& ply) { return bends(ply.model); });
   if (!has_bending)
     trust.push_back(
         "Without bending stiffness folds are as short as the cells: where it wrinkles is the fabric's answer, how "

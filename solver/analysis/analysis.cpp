@@ -229,8 +229,7 @@ void Analysis::report_progress() {
   const double fraction = world_.time() / world_.duration();
   if (options_.quiet || !options_.progress.is_due(fraction)) return;
   const double seconds = wall();
-  const double rate =
-      seconds > 0.0 ? static_cast<double>(world_.steps()) * cells_solved() / seconds : 0.0;
+  const double rate = seconds > 0.0 ? static_cast<double>(world_.steps()) * cells_solved() / seconds : 0.0;
   const EnergyBalance& balance = world_.balance();
   options_.progress.update(
       fraction, fmt::format("{:.1f} M cell-steps/s  step {}  kinetic/internal {:.2g}", 1e-6 * rate, world_.steps(),
@@ -257,8 +256,7 @@ std::string Analysis::what_to_do() const {
 }
 
 bool Analysis::is_hasty() const {
-  return scene_.analysis.step_factor <= 1.0 &&
-         world_.duration() < hasty_share * automatic_duration(model_);
+  return scene_.analysis.step_factor <= 1.0 && world_.duration() < hasty_share * automatic_duration(model_);
 }
 
 void Analysis::fail(const std::string& what) const {

@@ -98,7 +98,8 @@ Identity identity_of(const Resolved& model, const std::string& program) {
     if (!tool.surface_digest.empty()) identity.push_back({"surface of tool " + tool.name, tool.surface_digest, true});
   for (std::size_t k = 0; k < model.plies(); ++k)
     if (const std::string& outline = model.of_ply(k).scene.blank.outline; !outline.empty())
-      identity.push_back(file_item(name_before(model, k) + "outline file", fs::path(scene.file).parent_path() / outline));
+      identity.push_back(
+          file_item(name_before(model, k) + "outline file", fs::path(scene.file).parent_path() / outline));
   for (const std::string& file : law_files(scene)) identity.push_back(file_item("law file", file));
   identity.push_back({"mesh", mesh_digest(model.mesh), true});
   return identity;

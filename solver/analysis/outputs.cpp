@@ -44,8 +44,8 @@ std::vector<PairReading> whole_pairs(const World& world) {
   if (world.ply_contact() == nullptr) return {};
   std::vector<PairReading> pairs = world.ply_contact()->pairs();
   for (PairReading& pair : pairs)
-    for (double* sum : {&pair.area, &pair.force, &pair.friction_force, &pair.stored, &pair.friction_work,
-                        &pair.damping_work})
+    for (double* sum :
+         {&pair.area, &pair.force, &pair.friction_force, &pair.stored, &pair.friction_work, &pair.damping_work})
       *sum *= world.parts();
   return pairs;
 }
@@ -80,10 +80,9 @@ Fields Outputs::fields_of_ply(const World& world, std::size_t number, bool frame
   const double time = world.time();
   const auto position = ply.whole_positions();
   // the last row's are what a run ends with
-  Fields fields =
-      frame_due || world.finished()
-          ? compute_fields(ply.whole(), ply.card(), ply.model(), time, position)
-          : compute_row_fields(ply.whole(), plane_[number], time, position, !scene_.measure.empty() || !whole_.ply.empty());
+  Fields fields = frame_due || world.finished() ? compute_fields(ply.whole(), ply.card(), ply.model(), time, position)
+                                                : compute_row_fields(ply.whole(), plane_[number], time, position,
+                                                                     !scene_.measure.empty() || !whole_.ply.empty());
   if (!frame_due) return fields;
   if (world.contact(number) != nullptr) fields.contact = whole_contact_state(ply, *world.contact(number));
   if (world.ply_contact() != nullptr) {

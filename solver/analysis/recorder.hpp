@@ -66,8 +66,8 @@ private:
   int frame_column_ = 0;
   History history_;
   Window window_;
-  std::vector<int> first_cell_;                  // of each ply of a stack, and the number of cells
-  std::vector<std::array<int, 2>> pairs_;        // recorded
+  std::vector<int> first_cell_;            // of each ply of a stack, and the number of cells
+  std::vector<std::array<int, 2>> pairs_;  // recorded
   int ply_column_ = 0;
 };
 

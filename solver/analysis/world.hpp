@@ -37,7 +37,7 @@ struct WorldSetup {
   Loading loading;
   // Of each pair of plies, which then touch (ply_contact.hpp); none: they do not know of each other.
   std::function<PairLaw(int lower, int upper)> pair_law = nullptr;
-  std::vector<std::string> ply_names = {};  // for messages
+  std::vector<std::string> ply_names = {};                        // for messages
   double longest_step = std::numeric_limits<double>::infinity();  // s; none is taken that is longer
   Team& team;
 };

@@ -14,11 +14,11 @@
 namespace weaveform {
 namespace {
 
-constexpr double stack_tolerance = 1e-6;   // mm; a start this deep counts as touching
-constexpr double draped_tolerance = 0.1;   // of the thickness; surfaces of chords laid over a tool meet no better
-constexpr double wakes_within = 0.25;      // of the thinner ply's thickness: a pair that is nearer is looked at by blocks
-constexpr double safe_part_asleep = 0.5;   // of a pair's measured gap
-constexpr int look_for_lost_every = 16;    // steps; a foot comes back to a ply's edge, at most so late
+constexpr double stack_tolerance = 1e-6;  // mm; a start this deep counts as touching
+constexpr double draped_tolerance = 0.1;  // of the thickness; surfaces of chords laid over a tool meet no better
+constexpr double wakes_within = 0.25;  // of the thinner ply's thickness: a pair that is nearer is looked at by blocks
+constexpr double safe_part_asleep = 0.5;  // of a pair's measured gap
+constexpr int look_for_lost_every = 16;   // steps; a foot comes back to a ply's edge, at most so late
 constexpr int blocks_in_chunk = 40, most_chunks = 8;
 constexpr int nodes_to_fold = 2048;
 
@@ -66,10 +66,10 @@ void PlyContact::Parts::make_pair(int lower, int upper, const PairLaw& law, doub
   made.neighbours = upper == lower + 1;
   make_tables(law, below.touching(), above.touching(), frequency, made.tables);
   made.pass.reserve(2);
-  made.pass.emplace_back(below, above,
-                         pass_law(law, made.tables, below.touching(), above.touching(), false, frequency), frequency);
-  made.pass.emplace_back(above, below,
-                         pass_law(law, made.tables, above.touching(), below.touching(), true, frequency), frequency);
+  made.pass.emplace_back(below, above, pass_law(law, made.tables, below.touching(), above.touching(), false, frequency),
+                         frequency);
+  made.pass.emplace_back(above, below, pass_law(law, made.tables, above.touching(), below.touching(), true, frequency),
+                         frequency);
 }
 
 void PlyContact::Parts::look_at_start(Pair& its, std::vector<std::string>& complaints) {

@@ -32,8 +32,8 @@ struct Contribution {
 };
 
 template <bool with_tables>
-[[gnu::always_inline]] inline Contribution contribution(const PlyPassLaw& law, double inverse_softening, double inverse_time,
-                                                        const PlyPassNodes& nodes, int i) {
+[[gnu::always_inline]] inline Contribution contribution(const PlyPassLaw& law, double inverse_softening,
+                                                        double inverse_time, const PlyPassNodes& nodes, int i) {
   const int c0 = nodes.corner[0][i], c1 = nodes.corner[1][i], c2 = nodes.corner[2][i], c3 = nodes.corner[3][i];
   const double twist = c3 != c0 ? 1.0 : 0.0;  // none of a triangle
   double e1[3], e2[3], e3[3], s1[3], s2[3], r[3], x0[3], n[3];

@@ -65,15 +65,15 @@ struct PlyPassNodes {
 
 // Sums over a block.
 struct PlyPassSums {
-  double area = 0.0;             // mm^2; share of what touches
-  double normal = 0.0;           // N
-  double friction = 0.0;         // N
-  double energy = 0.0;           // mJ; stored
-  double friction_work = 0.0;    // mJ; lost along the surface, over the step just made
-  double damping_work = 0.0;     // mJ; lost across it
-  double depth = -1e300;         // mm; greatest
-  double pressure = 0.0;         // MPa; greatest
-  double outside = -1.0;         // 1; greatest way of a foot out of its cell, in the cell's coordinates
+  double area = 0.0;           // mm^2; share of what touches
+  double normal = 0.0;         // N
+  double friction = 0.0;       // N
+  double energy = 0.0;         // mJ; stored
+  double friction_work = 0.0;  // mJ; lost along the surface, over the step just made
+  double damping_work = 0.0;   // mJ; lost across it
+  double depth = -1e300;       // mm; greatest
+  double pressure = 0.0;       // MPa; greatest
+  double outside = -1.0;       // 1; greatest way of a foot out of its cell, in the cell's coordinates
 };
 
 // `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
@@ -90,8 +90,8 @@ using PlyFold = void(int count, double* from, double* into);
 using PlySpeed = double(int count, const double* mass, const double* const (&v)[3]);
 
 struct PlyLoops {
-  PlyPass* springs;             // Coulomb, springs
-  PlyPass* tables;              // with tables of shear or pressure, either or both
+  PlyPass* springs;  // Coulomb, springs
+  PlyPass* tables;   // with tables of shear or pressure, either or both
   PlyNormals* normals;
   PlyFold* fold;
   PlySpeed* speed;

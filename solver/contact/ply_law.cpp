@@ -82,8 +82,7 @@ void make_tables(const PairLaw& law, const TouchingPly& a, const TouchingPly& b,
     const double end = std::max(law.shear_law.back()[0], 1e-6);
     const int count = interval_count(law.shear_law, end);
     for (int k = 0; k <= count; ++k) tables.shear.push_back(value_of(law.shear_law, end * k / count));
-    tables.shear_table = {
-        .value = tables.shear.data(), .per_unit = count / end, .intervals = count, .last_slope = 0.0};
+    tables.shear_table = {.value = tables.shear.data(), .per_unit = count / end, .intervals = count, .last_slope = 0.0};
   }
   if (law.compaction.empty()) return;
   Points points = law.compaction;

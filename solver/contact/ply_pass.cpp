@@ -98,8 +98,7 @@ double PlyPassState::search(std::vector<double>* depths) {
 }
 
 void PlyPassState::set_corners(int node) {
-  const auto corners =
-      stiffness_[node] > 0.0 ? other_.surface().corners(facet_[node]) : std::array<int, 4>{0, 0, 0, 0};
+  const auto corners = stiffness_[node] > 0.0 ? other_.surface().corners(facet_[node]) : std::array<int, 4>{0, 0, 0, 0};
   for (std::size_t a = 0; a < 4; ++a) corner_[a][node] = corners[a];
 }
 
@@ -276,8 +275,8 @@ double PlyPassState::clearance(int block, double depth) const {
     held.xi = std::clamp(held.xi, 0.0, 1.0);
     held.eta = std::clamp(held.eta, 0.0, other_.surface().is_triangle(held.facet) ? 1.0 - held.xi : 1.0);
     const Vec2 edge = other_.surface().material(held);
-    room = std::min(room, safe_part * other_.touching().spacing *
-                              std::max(std::abs(now[0] - edge[0]), std::abs(now[1] - edge[1])));
+    room = std::min(
+        room, safe_part * other_.touching().spacing * std::max(std::abs(now[0] - edge[0]), std::abs(now[1] - edge[1])));
   }
   return std::max(room, 0.0);
 }
@@ -328,7 +327,8 @@ void PlyPassState::add_stiffness_bound(double fabric_frequency, double stiffest,
     const double twist = triangle ? 0.0 : 1.0;
     Vec3 s1, s2;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double e3 = twist * (position[c][node[3]] - position[c][node[1]] - position[c][node[2]] + position[c][node[0]]);
+      const double e3 =
+          twist * (position[c][node[3]] - position[c][node[1]] - position[c][node[2]] + position[c][node[0]]);
       s1[c] = position[c][node[1]] - position[c][node[0]] + place.eta * e3;
       s2[c] = position[c][node[2]] - position[c][node[0]] + place.xi * e3;
     }

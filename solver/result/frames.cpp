@@ -234,8 +234,7 @@ struct FrameWriter::Grid {
       other_ply->SetValue(node, static_cast<signed char>(between.other[node]));
       ply_friction->SetValue(node, static_cast<signed char>(between.friction[node]));
     }
-    for (vtkDataArray* array :
-         std::initializer_list<vtkDataArray*>{slip_path, ply_pressure, other_ply, ply_friction})
+    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{slip_path, ply_pressure, other_ply, ply_friction})
       array->Modified();
   }
 
