@@ -15,7 +15,8 @@ namespace {
   return static_cast<double>(std::sqrt(static_cast<float>(square)));
 }
 
-constexpr double least = 1e-30;  // keeps inverses finite; of mm and N far below any that matters
+// Keep inverses finite, far below anything that matters.
+constexpr double least = 1e-30, least_area = 1e-12;  // mm^4, mm^2
 
 // Piecewise linear, x >= 0.
 [[gnu::always_inline]] inline double value_at(const EvenTable& table, double x) {
@@ -32,7 +33,7 @@ struct Contribution {
 };
 
 template <bool with_tables>
-[[gnu::always_inline]] inline Contribution contribution(const PlyPassLaw& law, double inverse_softening, double inverse_time,
+[[gnu::always_inline]] inline Contribution contribution(const PlyPassLaw& law, double inverse_softening, double inverse_time, double moved,
                                                         const PlyPassNodes& nodes, int i) {
   const int c0 = nodes.corner[0][i], c1 = nodes.corner[1][i], c2 = nodes.corner[2][i], c3 = nodes.corner[3][i];
   const double twist = c3 != c0 ? 1.0 : 0.0;  // none of a triangle
@@ -86,7 +87,7 @@ template <bool with_tables>
   }
   const double sinking = p - nodes.depth[i];  // over the step just made
   const double total = elastic + c * engaged * inverse_time * sinking;
-  const double normal = k > 0.0 && total > 0.0 ? total : 0.0;
+  const double normal = total > 0.0 ? total : 0.0;
 
   // way of the foot from its anchor, and over the step
   const double t1 = xi - nodes.anchor[0][i], t2 = eta - nodes.anchor[1][i];
@@ -113,12 +114,12 @@ template <bool with_tables>
   }();
   const double t_size = rough_root(t_square), s_size = rough_root(s_square);
   double limit = law.friction * normal;
-  bool holds = p > 0.0;
+  double holds = p > 0.0 ? 1.0 : 0.0;  // 1 or 0, as selections of selections are not vectorised
   if constexpr (with_tables) {
     if (law.shear.intervals > 0) {
-      holds = p > law.adhesion;
+      holds = p > law.adhesion ? 1.0 : 0.0;
       const double tau = value_at(law.shear, nodes.path[i] + t_size);
-      limit += holds ? area * tau : 0.0;
+      limit += holds * area * tau;
     }
   }
   const double cut = s_size > limit ? limit * rough_inverse(s_size) : 1.0;
@@ -126,7 +127,7 @@ template <bool with_tables>
   nodes.place[1][i] = eta;
   nodes.anchor[0][i] = xi - cut * t1;
   nodes.anchor[1][i] = eta - cut * t2;
-  nodes.path[i] += holds && k > 0.0 ? (1.0 - cut) * t_size : 0.0;
+  nodes.path[i] += k > 0.0 ? holds * (1.0 - cut) * t_size : 0.0;
   nodes.depth[i] = p;
   const double drag_before = nodes.drag[0][i], drag_now = normal - elastic;
   nodes.drag[0][i] = drag_now;
@@ -153,12 +154,10 @@ template <bool with_tables>
   out.normal = normal;
   out.friction = cut * s_size;
   out.energy = stored + 0.5 * kt * cut * cut * t_square;
-  out.friction_work = inverse_time > 0.0 ? 0.5 * kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) -
-                                               0.5 * (u_drag - cut * ct * u_square)
-                                         : 0.0;
-  out.damping_work = inverse_time > 0.0 ? 0.5 * (drag_before + drag_now) * sinking : 0.0;
+  out.friction_work = moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
+  out.damping_work = moved * 0.5 * (drag_before + drag_now) * sinking;
   out.depth = k > 0.0 ? p : -1e300;
-  out.pressure = area > 0.0 ? normal * rough_inverse(area + least) : 0.0;
+  out.pressure = normal * rough_inverse(area + least_area);
   const double low = xi < eta ? xi : eta, high = xi > eta ? xi : eta;
   const double over = twist > 0.0 ? high - 1.0 : xi + eta - 1.0;
   const double out_of_cell = over > -low ? over : -low;
@@ -170,13 +169,13 @@ template <bool with_tables>
 PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given) {
   const PlyPassLaw law = law_given;
   const PlyPassNodes nodes = nodes_given;
-  const double inverse = 1.0 / law.softening;
+  const double inverse = 1.0 / law.softening, moved = inverse_time > 0.0 ? 1.0 : 0.0;
   double area = 0.0, normal = 0.0, friction = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
   double depth = -1e300, pressure = 0.0, outside = -1.0;
 #pragma omp simd reduction(+ : area, normal, friction, energy, friction_work, damping_work) \
     reduction(max : depth, pressure, outside)
   for (int i = 0; i < nodes.count; ++i) {
-    const Contribution one = contribution<with_tables>(law, inverse, inverse_time, nodes, i);
+    const Contribution one = contribution<with_tables>(law, inverse, inverse_time, moved, nodes, i);
     area += one.area;
     normal += one.normal;
     friction += one.friction;
