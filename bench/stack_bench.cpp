@@ -32,16 +32,17 @@ struct RippledStack {
       cells += lattice.back().mesh.cells.size();
       all.push_back(lattice.back().ply.get());
     }
-    for (int k = 0; k < plies; ++k) place(k, k * all[k]->mesh().thickness, 0.0);  // chords of ripples would lie in each other
+    for (int k = 0; k < plies; ++k)
+      place(k, k * all[k]->mesh().thickness, 0.0);  // chords of ripples would lie in each other
     if (plies == 1) return;
     PairLaw law;
     law.friction = 0.2;
-    contact = std::make_unique<PlyContact>(PlyContactSetup{
-        .plies = all,
-        .names = {},
-        .law = [law](int, int) { return law; },
-        .frequency = contact_frequency(AnalysisSpec{}, all.front()->fabric_step()),
-        .team = team});
+    contact = std::make_unique<PlyContact>(
+        PlyContactSetup{.plies = all,
+                        .names = {},
+                        .law = [law](int, int) { return law; },
+                        .frequency = contact_frequency(AnalysisSpec{}, all.front()->fabric_step()),
+                        .team = team});
     for (int k = 0; k < plies; ++k) place(k, k * (all[k]->mesh().thickness - sunk), 0.3);
   }
 
@@ -76,8 +77,7 @@ void stack(benchmark::State& bench, double yarn_angle) {
                      static_cast<int>(bench.range(2)));
   for (int n = 0; n < 10; ++n) plies.make_step();
   for ([[maybe_unused]] auto _ : bench) plies.make_step();
-  bench.counters["ply-cell-steps/s"] =
-      benchmark::Counter(plies.cells, benchmark::Counter::kIsIterationInvariantRate);
+  bench.counters["ply-cell-steps/s"] = benchmark::Counter(plies.cells, benchmark::Counter::kIsIterationInvariantRate);
   if (!plies.contact) return;
   double touching = 0.0, whole = 0.0;
   for (const auto& pair : plies.contact->pairs())

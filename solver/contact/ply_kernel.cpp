@@ -1,25 +1,28 @@
 // Compiled once for each instruction set (core/instructions); includes nothing whose inline code other files share.
+// Selections stand alone, none in another: the compiler would leave the loop scalar.
 #include "solver/contact/ply_kernel.hpp"
 
 #include <cmath>
+
+#define WEAVEFORM_INLINE [[gnu::always_inline]] inline
 
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
 // Square roots and inverses in single precision, where 1e-7 is enough or one more step makes it so: doubles take four
 // times as long.
-[[gnu::always_inline]] inline double rough_inverse(double x) {
+WEAVEFORM_INLINE double rough_inverse(double x) {
   return static_cast<double>(1.0F / static_cast<float>(x));
 }
-[[gnu::always_inline]] inline double rough_root(double square) {
+WEAVEFORM_INLINE double rough_root(double square) {
   return static_cast<double>(std::sqrt(static_cast<float>(square)));
 }
 
 // Keep inverses finite, far below anything that matters.
-constexpr double least = 1e-30, least_area = 1e-12;  // mm^4, mm^2
+constexpr double least = 1e-30, least_area = 1e-12, least_length = 1e-18;  // mm^4, mm^2, mm
 
 // Piecewise linear, x >= 0.
-[[gnu::always_inline]] inline double value_at(const EvenTable& table, double x) {
+WEAVEFORM_INLINE double value_at(const EvenTable& table, double x) {
   const double along = x * table.per_unit;
   const double inside = along < table.intervals ? along : table.intervals;
   int left = static_cast<int>(inside);
@@ -28,154 +31,197 @@ constexpr double least = 1e-30, least_area = 1e-12;  // mm^4, mm^2
   return low + (high - low) * (inside - left) + table.last_slope * (along - inside);
 }
 
+// What all nodes of a block have in common.
+struct Common {
+  double inverse_softening, inverse_time;
+  double moved;  // 1, or 0 at a first look
+  double twist;  // 1, or 0 on triangles
+};
+
+struct Foot {
+  double xi, eta, dxi, deta;  // and its way since the step before
+  double s1[3], s2[3], r[3];  // S_xi, S_eta, x - y
+  double distance, inverse_distance, depth;
+  double meets;  // 1, or 0 where the normals part by 90 degrees
+};
+
+// r = dxi S_xi + deta S_eta + s n, by Cramer's rule.
+WEAVEFORM_INLINE Foot foot(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes, int i) {
+  const int corner = nodes.corner[i];
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i];
+  double e1[3], e2[3], e3[3], n[3], from[3], r[3], s1[3], s2[3];
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    const double* const origin = nodes.surface[c];
+    const double *const first = origin + nodes.beside[0], *const second = origin + nodes.beside[1],
+                        *const third = origin + nodes.beside[2];
+    from[c] = nodes.x[c][i] - origin[corner];
+    e1[c] = first[corner] - origin[corner];
+    e2[c] = second[corner] - origin[corner];
+    e3[c] = common.twist * (third[corner] - first[corner] - e2[c]);
+    s1[c] = e1[c] + eta * e3[c];
+    s2[c] = e2[c] + xi * e3[c];
+    r[c] = from[c] - xi * e1[c] - eta * s2[c];
+    n[c] = nodes.normal[c][i];
+  }
+  const double a[3] = {s2[1] * n[2] - s2[2] * n[1], s2[2] * n[0] - s2[0] * n[2], s2[0] * n[1] - s2[1] * n[0]};
+  const double b[3] = {n[1] * s1[2] - n[2] * s1[1], n[2] * s1[0] - n[0] * s1[2], n[0] * s1[1] - n[1] * s1[0]};
+  const double all = s1[0] * a[0] + s1[1] * a[1] + s1[2] * a[2];
+  const double determinant = nodes.stiffness[i] > 0.0 ? all : 0.0;
+  const double inverse = determinant > least ? rough_inverse(determinant) : 0.0;
+  Foot f;
+  f.meets = determinant > least ? 1.0 : 0.0;
+  f.dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse;
+  f.deta = (r[0] * b[0] + r[1] * b[1] + r[2] * b[2]) * inverse;
+  f.xi = xi + f.dxi;
+  f.eta = eta + f.deta;
+  double square = 0.0, along = 0.0;
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    f.s1[c] = e1[c] + f.eta * e3[c];
+    f.s2[c] = e2[c] + f.xi * e3[c];
+    f.r[c] = from[c] - f.xi * e1[c] - f.eta * f.s2[c];
+    square += f.r[c] * f.r[c];
+    along += f.r[c] * n[c];
+  }
+  const double guess = rough_root(square) + least_length;
+  f.inverse_distance = rough_inverse(guess);
+  f.distance = guess + 0.5 * (square - guess * guess) * f.inverse_distance;
+  f.depth = law.reach - (law.side * along >= 0.0 ? f.distance : -f.distance);
+  return f;
+}
+
+struct Normal {
+  double force, elastic, stored;  // N, N, mJ
+};
+
+template <bool with_tables>
+WEAVEFORM_INLINE Normal normal_force(const PlyPassLaw& law, const Common& common, double depth, double sinking,
+                                     double k, double area) {
+  const double pressed = depth > 0.0 ? depth : 0.0;
+  const double soft = pressed < law.softening ? pressed : law.softening, engaged = soft * common.inverse_softening;
+  const double beyond = pressed - soft;
+  Normal out;
+  out.elastic = k * engaged * (pressed - 0.5 * soft);
+  // the integral: k p^3/(6 d) to the depth d, k ((p - d/2)^2/2 + d^2/24) beyond
+  out.stored = k * (engaged * soft * soft * (1.0 / 6.0) + 0.5 * beyond * (soft + beyond));
+  if constexpr (with_tables) {
+    if (law.pressure.intervals > 0) {
+      out.elastic = area * value_at(law.pressure, pressed);
+      out.stored = area * value_at(law.pressure_energy, pressed);
+    }
+  }
+  const double total = out.elastic + law.damping_time * k * engaged * common.inverse_time * sinking;
+  out.force = total > 0.0 ? total : 0.0;
+  return out;
+}
+
 struct Contribution {
   double area, normal, friction, energy, friction_work, damping_work, depth, pressure, outside;
 };
 
-template <bool with_tables>
-[[gnu::always_inline]] inline Contribution contribution(const PlyPassLaw& law, double inverse_softening, double inverse_time, double moved,
-                                                        const PlyPassNodes& nodes, int i) {
-  const int c0 = nodes.corner[0][i], c1 = nodes.corner[1][i], c2 = nodes.corner[2][i], c3 = nodes.corner[3][i];
-  const double twist = c3 != c0 ? 1.0 : 0.0;  // none of a triangle
-  double e1[3], e2[3], e3[3], s1[3], s2[3], r[3], x0[3], n[3];
-  const double xi0 = nodes.place[0][i], eta0 = nodes.place[1][i];
-#pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
-    const double* s = nodes.surface[c];
-    x0[c] = s[c0];
-    e1[c] = s[c1] - x0[c];
-    e2[c] = s[c2] - x0[c];
-    e3[c] = twist * (s[c3] - s[c1] - e2[c]);
-    s1[c] = e1[c] + eta0 * e3[c];
-    s2[c] = e2[c] + xi0 * e3[c];
-    r[c] = (nodes.x[c][i] - x0[c]) - xi0 * e1[c] - eta0 * s2[c];
-    n[c] = nodes.normal[c][i];
-  }
-  // r = dxi S_xi + deta S_eta + s n, by Cramer's rule
-  const double a[3] = {s2[1] * n[2] - s2[2] * n[1], s2[2] * n[0] - s2[0] * n[2], s2[0] * n[1] - s2[1] * n[0]};
-  const double b[3] = {n[1] * s1[2] - n[2] * s1[1], n[2] * s1[0] - n[0] * s1[2], n[0] * s1[1] - n[1] * s1[0]};
-  const double determinant = s1[0] * a[0] + s1[1] * a[1] + s1[2] * a[2];
-  const double inverse = determinant > least ? rough_inverse(determinant) : 0.0;  // the normals part by 90 degrees
-  const double dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse,
-               deta = (r[0] * b[0] + r[1] * b[1] + r[2] * b[2]) * inverse;
-  const double xi = xi0 + dxi, eta = eta0 + deta;
-  double square = 0.0, along = 0.0;
-#pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
-    s1[c] = e1[c] + eta * e3[c];
-    s2[c] = e2[c] + xi * e3[c];
-    r[c] = (nodes.x[c][i] - x0[c]) - xi * e1[c] - eta * s2[c];
-    square += r[c] * r[c];
-    along += r[c] * n[c];
-  }
-  const double guess = rough_root(square) + 1e-18, inverse_distance = rough_inverse(guess);
-  const double distance = guess + 0.5 * (square - guess * guess) * inverse_distance;
-  const double p = law.reach - (law.side * along >= 0.0 ? distance : -distance);
-
-  const double k = inverse > 0.0 ? nodes.stiffness[i] : 0.0, c = law.damping_time * k;
-  const double area = k > 0.0 ? law.share * nodes.area[i] : 0.0;
-  const double pressed = p > 0.0 ? p : 0.0;
-  const double soft = pressed < law.softening ? pressed : law.softening, engaged = soft * inverse_softening;
-  const double beyond = pressed - soft;
-  double elastic = k * engaged * (pressed - 0.5 * soft);
-  double stored = k * (engaged * soft * soft * (1.0 / 6.0) + 0.5 * beyond * (soft + beyond));
-  if constexpr (with_tables) {
-    if (law.pressure.intervals > 0) {
-      elastic = area * value_at(law.pressure, pressed);
-      stored = area * value_at(law.pressure_energy, pressed);
-    }
-  }
-  const double sinking = p - nodes.depth[i];  // over the step just made
-  const double total = elastic + c * engaged * inverse_time * sinking;
-  const double normal = total > 0.0 ? total : 0.0;
-
-  // way of the foot from its anchor, and over the step
-  const double t1 = xi - nodes.anchor[0][i], t2 = eta - nodes.anchor[1][i];
-  double t_square = 0.0, s_square = 0.0, t_u = 0.0;
-  const double kt = law.tangential * k, ct = law.tangential * c * inverse_time;
-  const double q1 = kt * t1 + ct * dxi, q2 = kt * t2 + ct * deta;
-  double u_drag = 0.0;  // the dampers' forces over the way: that before
+// Force on the node, and through the foot on the corners; q are the components of the tangential one.
+WEAVEFORM_INLINE void share_out(const PlyPassLaw& law, const Common& common, const Foot& f, double normal, double q1,
+                                double q2, PlyPassForces& forces, int i) {
+  const double side = f.depth < law.reach ? 1.0 : -1.0;  // beyond the surface r points the other way
+  const double across = side * normal * f.inverse_distance;
+  const double n3 = common.twist * f.xi * f.eta, n1 = f.xi - n3, n2 = f.eta - n3, n0 = 1.0 - f.xi - f.eta + n3;
+  const double g3 = common.twist * (q1 * f.eta + q2 * f.xi), g1 = q1 - g3, g2 = q2 - g3, g0 = g3 - q1 - q2;
 #pragma GCC unroll 3
   for (int d = 0; d < 3; ++d) {
-    const double t = t1 * s1[d] + t2 * s2[d], u = dxi * s1[d] + deta * s2[d], s = q1 * s1[d] + q2 * s2[d];
-    t_square += t * t;
-    t_u += t * u;
-    s_square += s * s;
-    u_drag += u * (nodes.drag[1][i] * s1[d] + nodes.drag[2][i] * s2[d]);
+    const double force = across * f.r[d] + q1 * f.s1[d] + q2 * f.s2[d];
+    forces.force[d][i] = force;
+    forces.back[0][i][d] = g0 * f.r[d] - n0 * force;
+    forces.back[1][i][d] = g1 * f.r[d] - n1 * force;
+    forces.back[2][i][d] = g2 * f.r[d] - n2 * force;
+    forces.back[3][i][d] = g3 * f.r[d] - n3 * force;
   }
-  const double u_square = [&] {
-    double sum = 0.0;
+#pragma GCC unroll 4
+  for (int a = 0; a < 4; ++a) forces.back[a][i][3] = 0.0;
+}
+
+template <bool with_tables>
+WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes,
+                                           PlyPassForces& forces, int i) {
+  const Foot f = foot(law, common, nodes, i);
+  const double given = nodes.stiffness[i], k = f.meets * given, area = f.meets * law.share * nodes.area[i];
+  const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
+  const double sinking = f.depth - nodes.depth[i];  // over the step just made
+  const Normal normal = normal_force<with_tables>(law, common, f.depth, sinking, k, area);
+
+  // t from the anchor to the foot, u over the step just made
+  const double t1 = f.xi - nodes.anchor[0][i], t2 = f.eta - nodes.anchor[1][i];
+  const double q1 = kt * t1 + ct * f.dxi, q2 = kt * t2 + ct * f.deta;
+  const double drag0 = static_cast<double>(nodes.drag[0][i]), drag1 = static_cast<double>(nodes.drag[1][i]),
+               drag2 = static_cast<double>(nodes.drag[2][i]);
+  double t_square = 0.0, s_square = 0.0, u_square = 0.0, t_u = 0.0, u_drag = 0.0;
 #pragma GCC unroll 3
-    for (int d = 0; d < 3; ++d) {
-      const double u = dxi * s1[d] + deta * s2[d];
-      sum += u * u;
-    }
-    return sum;
-  }();
+  for (int d = 0; d < 3; ++d) {
+    const double t = t1 * f.s1[d] + t2 * f.s2[d], u = f.dxi * f.s1[d] + f.deta * f.s2[d];
+    const double s = q1 * f.s1[d] + q2 * f.s2[d];
+    t_square += t * t;
+    s_square += s * s;
+    u_square += u * u;
+    t_u += t * u;
+    u_drag += u * (drag1 * f.s1[d] + drag2 * f.s2[d]);
+  }
   const double t_size = rough_root(t_square), s_size = rough_root(s_square);
-  double limit = law.friction * normal;
-  double holds = p > 0.0 ? 1.0 : 0.0;  // 1 or 0, as selections of selections are not vectorised
+  double limit = law.friction * normal.force, holds = f.depth > 0.0 ? 1.0 : 0.0;
   if constexpr (with_tables) {
     if (law.shear.intervals > 0) {
-      holds = p > law.adhesion ? 1.0 : 0.0;
-      const double tau = value_at(law.shear, nodes.path[i] + t_size);
-      limit += holds * area * tau;
+      holds = f.depth > law.adhesion ? 1.0 : 0.0;
+      limit += holds * area * value_at(law.shear, nodes.path[i] + t_size);
     }
   }
   const double cut = s_size > limit ? limit * rough_inverse(s_size) : 1.0;
-  nodes.place[0][i] = xi;
-  nodes.place[1][i] = eta;
-  nodes.anchor[0][i] = xi - cut * t1;
-  nodes.anchor[1][i] = eta - cut * t2;
-  nodes.path[i] += k > 0.0 ? holds * (1.0 - cut) * t_size : 0.0;
-  nodes.depth[i] = p;
-  const double drag_before = nodes.drag[0][i], drag_now = normal - elastic;
-  nodes.drag[0][i] = drag_now;
-  nodes.drag[1][i] = -cut * ct * dxi;
-  nodes.drag[2][i] = -cut * ct * deta;
+  share_out(law, common, f, normal.force, -cut * q1, -cut * q2, forces, i);
+  forces.acts[i] = normal.force + cut * s_size;
 
-  const double w1 = -cut * q1, w2 = -cut * q2, across = normal * inverse_distance * (p < law.reach ? 1.0 : -1.0);
-  const double n3 = twist * xi * eta, n1 = xi - n3, n2 = eta - n3, n0 = 1.0 - xi - eta + n3;
-  const double g3 = twist * (w1 * eta + w2 * xi), g1 = w1 - g3, g2 = w2 - g3, g0 = g3 - w1 - w2;
-#pragma GCC unroll 3
-  for (int d = 0; d < 3; ++d) {
-    const double f = across * r[d] + w1 * s1[d] + w2 * s2[d];
-    nodes.force[d][i] = f;
-    nodes.back[0][d][i] = g0 * r[d] - n0 * f;
-    nodes.back[1][d][i] = g1 * r[d] - n1 * f;
-    nodes.back[2][d][i] = g2 * r[d] - n2 * f;
-    nodes.back[3][d][i] = g3 * r[d] - n3 * f;
-  }
-  nodes.normal_force[i] = normal;
-  nodes.tangential_force[i] = cut * s_size;
+  // a node on which nothing acts keeps what it had
+  const double drag_now = normal.force - normal.elastic, slid = (1.0 - cut) * t_size * holds;
+  nodes.place[0][i] = f.xi;
+  nodes.place[1][i] = f.eta;
+  nodes.anchor[0][i] = given > 0.0 ? f.xi - cut * t1 : nodes.anchor[0][i];
+  nodes.anchor[1][i] = given > 0.0 ? f.eta - cut * t2 : nodes.anchor[1][i];
+  nodes.path[i] += given > 0.0 ? slid : 0.0;
+  nodes.depth[i] = given > 0.0 ? f.depth : nodes.depth[i];
+  nodes.drag[0][i] = static_cast<float>(given > 0.0 ? drag_now : drag0);
+  nodes.drag[1][i] = static_cast<float>(given > 0.0 ? -cut * ct * f.dxi : drag1);
+  nodes.drag[2][i] = static_cast<float>(given > 0.0 ? -cut * ct * f.deta : drag2);
 
   Contribution out;
-  out.area = p > 0.0 ? area : 0.0;
-  out.normal = normal;
+  out.area = f.depth > 0.0 ? area : 0.0;  // area is 0 where nothing acts
+  out.normal = normal.force;
   out.friction = cut * s_size;
-  out.energy = stored + 0.5 * kt * cut * cut * t_square;
-  out.friction_work = moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
-  out.damping_work = moved * 0.5 * (drag_before + drag_now) * sinking;
-  out.depth = k > 0.0 ? p : -1e300;
-  out.pressure = normal * rough_inverse(area + least_area);
-  const double low = xi < eta ? xi : eta, high = xi > eta ? xi : eta;
-  const double over = twist > 0.0 ? high - 1.0 : xi + eta - 1.0;
+  out.energy = normal.stored + 0.5 * kt * cut * cut * t_square;
+  // the spring's slip (1 - cut) t against half its force before, k_t (t - u), and half of now's, k_t cut t
+  out.friction_work =
+      common.moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
+  out.damping_work = common.moved * 0.5 * (drag0 + drag_now) * sinking;
+  out.depth = given > 0.0 ? f.depth : -1e300;
+  out.pressure = normal.force * rough_inverse(area + least_area);
+  const double low = f.xi < f.eta ? f.xi : f.eta, high = f.xi > f.eta ? f.xi : f.eta;
+  const double over = common.twist > 0.0 ? high - 1.0 : f.xi + f.eta - 1.0;
   const double out_of_cell = over > -low ? over : -low;
-  out.outside = k > 0.0 ? out_of_cell : -1.0;
+  out.outside = given > 0.0 ? out_of_cell : -1.0;
   return out;
 }
 
 template <bool with_tables>
-PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given) {
+PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given,
+                 PlyPassForces& forces) {
   const PlyPassLaw law = law_given;
   const PlyPassNodes nodes = nodes_given;
-  const double inverse = 1.0 / law.softening, moved = inverse_time > 0.0 ? 1.0 : 0.0;
+  const Common common = {.inverse_softening = 1.0 / law.softening,
+                         .inverse_time = inverse_time,
+                         .moved = inverse_time > 0.0 ? 1.0 : 0.0,
+                         .twist = nodes.beside[2] != 0 ? 1.0 : 0.0};
   double area = 0.0, normal = 0.0, friction = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
   double depth = -1e300, pressure = 0.0, outside = -1.0;
 #pragma omp simd reduction(+ : area, normal, friction, energy, friction_work, damping_work) \
     reduction(max : depth, pressure, outside)
   for (int i = 0; i < nodes.count; ++i) {
-    const Contribution one = contribution<with_tables>(law, inverse, inverse_time, moved, nodes, i);
+    const Contribution one = contribution<with_tables>(law, common, nodes, forces, i);
     area += one.area;
     normal += one.normal;
     friction += one.friction;
@@ -212,20 +258,39 @@ void normals(int count, const double* const (&west)[3], const double* const (&ea
   }
 }
 
-void fold(int count, double* from, double* into) {
-#pragma omp simd
+using Four [[gnu::vector_size(32)]] = double;
+
+void give_back(int count, const int* corner, const int (&beside)[3], const PlyPassForces& forces, double* into,
+               char* touched) {
+  const int away[4] = {0, beside[0], beside[1], beside[2]};
   for (int i = 0; i < count; ++i) {
-    into[i] += from[i];
-    from[i] = 0.0;
+    if (!(forces.acts[i] > 0.0)) continue;
+    for (int a = 0; a < 4; ++a) {
+      const int node = corner[i] + away[a];
+      Four* const sum = reinterpret_cast<Four*>(into + 4 * static_cast<long>(node));
+      *sum += *reinterpret_cast<const Four*>(forces.back[a][i]);
+      touched[node / ply_segment] = 1;
+    }
   }
 }
 
-double speed(int count, const double* mass, const double* const (&v)[3]) {
+void fold(int count, double* from, double* const (&into)[3]) {
+  double *x = into[0], *y = into[1], *z = into[2];
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    x[i] += from[4 * i];
+    y[i] += from[4 * i + 1];
+    z[i] += from[4 * i + 2];
+  }
+  for (int i = 0; i < 4 * count; ++i) from[i] = 0.0;
+}
+
+double speed(int count, const double* const (&v)[3]) {
   const double *vx = v[0], *vy = v[1], *vz = v[2];
   double greatest = 0.0;
 #pragma omp simd reduction(max : greatest)
   for (int i = 0; i < count; ++i) {
-    const double square = mass[i] > 0.0 ? vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i] : 0.0;
+    const double square = vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i];
     greatest = square > greatest ? square : greatest;
   }
   return std::sqrt(greatest);
@@ -234,7 +299,11 @@ double speed(int count, const double* mass, const double* const (&v)[3]) {
 }  // namespace
 
 extern const PlyLoops ply_loops;
-const PlyLoops ply_loops = {
-    .springs = pass<false>, .tables = pass<true>, .normals = normals, .fold = fold, .speed = speed};
+const PlyLoops ply_loops = {.springs = pass<false>,
+                            .tables = pass<true>,
+                            .normals = normals,
+                            .give_back = give_back,
+                            .fold = fold,
+                            .speed = speed};
 
 }  // namespace weaveform::WEAVEFORM_SET

@@ -11,7 +11,7 @@ namespace weaveform {
 namespace {
 
 // Plies stacked by their thickness touch without pressing, whatever rounding makes of their places.
-constexpr double touching = 1e-9;  // mm
+constexpr double touching = 1e-9;                             // mm
 constexpr int most_intervals = 4096, least_intervals = 1024;  // of a table
 
 using Points = std::vector<std::array<double, 2>>;
@@ -90,8 +90,7 @@ void make_tables(const PairLaw& law, const TouchingPly& a, const TouchingPly& b,
     const double end = std::max(law.shear_law.back()[0], 1e-6);
     const auto [count, step] = intervals_of(law.shear_law, end, 1);
     for (int k = 0; k <= count; ++k) tables.shear.push_back(value_of(law.shear_law, step * k));
-    tables.shear_table = {
-        .value = tables.shear.data(), .per_unit = 1.0 / step, .intervals = count, .last_slope = 0.0};
+    tables.shear_table = {.value = tables.shear.data(), .per_unit = 1.0 / step, .intervals = count, .last_slope = 0.0};
   }
   if (law.compaction.empty()) return;
   Points points = law.compaction;

@@ -7,7 +7,7 @@
 namespace weaveform {
 namespace {
 
-constexpr double border = 1e-9;       // of a cell: this far outside still counts as inside
+constexpr double border = 1e-9;          // of a cell: this far outside still counts as inside
 constexpr double least_triangle = 1e-6;  // of a cell's area; slimmer ones are none
 const double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -22,7 +22,8 @@ std::vector<Vec2> material_of_nodes(const Mesh& mesh) {
     const double way = mesh.yarns.rest_length[e] / mesh.spacing[along];
     for (const auto& [from, to, sign] : {std::tuple{a, b, 1.0}, std::tuple{b, a, -1.0}})
       if (mesh.nodes.crossing[from][0] >= 0 && mesh.nodes.crossing[to][0] < 0) {
-        place[to] = {static_cast<double>(mesh.nodes.crossing[from][0]), static_cast<double>(mesh.nodes.crossing[from][1])};
+        place[to] = {static_cast<double>(mesh.nodes.crossing[from][0]),
+                     static_cast<double>(mesh.nodes.crossing[from][1])};
         place[to][along] += sign * way;
       }
   }
@@ -176,8 +177,8 @@ Vec3 PlySurface::point(const SurfacePlace& place, const Components& position) co
 
 bool PlySurface::follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, const Components& position) const {
   constexpr int most_moves = 200;
-  constexpr double there = 1e-12;     // of a cell
-  constexpr double longest = 1.5;     // cells in one move: a bilinear cell bends when it is left far behind
+  constexpr double there = 1e-12;  // of a cell
+  constexpr double longest = 1.5;  // cells in one move: a bilinear cell bends when it is left far behind
   for (int move = 0; move < most_moves; ++move) {
     const auto node = corners(place.facet);
     const double twist = is_triangle(place.facet) ? 0.0 : 1.0;

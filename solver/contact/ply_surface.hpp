@@ -64,8 +64,8 @@ private:
   int stride_, rows_, lattice_nodes_;
   std::vector<char> is_quad_;
   std::vector<Triangle> triangle_;
-  int wide_ = 0, high_ = 0;                // squares of the table below, from (-1, -1) on
-  std::vector<int> first_, in_square_;     // triangles that reach into a square
+  int wide_ = 0, high_ = 0;             // squares of the table below, from (-1, -1) on
+  std::vector<int> first_, in_square_;  // triangles that reach into a square
 };
 
 // The normal of a node, along the others that it lies between: (east - west) x (north - south), upwards.

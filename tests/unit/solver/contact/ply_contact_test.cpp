@@ -37,8 +37,8 @@ void crumple(Stack& stack, double depth, unsigned seed) {
       stack.place(k, [&](const Vec3& x) -> Vec3 {
         const double way = step * (k == 0 ? 0.01 : -0.02);
         return {x[0] + way, x[1] - 0.5 * way + noise(generator),
-                x[2] + 2.0 * std::sin(0.04 * x[0]) * std::cos(0.03 * x[1]) -
-                    (k == 0 ? 0.0 : depth * step / 4.0) + noise(generator)};
+                x[2] + 2.0 * std::sin(0.04 * x[0]) * std::cos(0.03 * x[1]) - (k == 0 ? 0.0 : depth * step / 4.0) +
+                    noise(generator)};
       });
     stack.touch();
   }
@@ -158,7 +158,8 @@ TEST(PlyContact, GoingThroughAnotherPlyStopsTheRun) {
 // Between a hole's or patch's edge the outer two come to touch where the middle one is not.
 TEST(PlyContact, PliesMeetWhereAPlyBetweenThemEnds) {
   const double t = thickness();
-  Stack stack({piece({80.0, 80.0}, 1.0, 0.0, 0.0), piece({24.0, 24.0}, 1.0, 0.0, t), piece({80.0, 80.0}, 1.0, 45.0, 2.0 * t)});
+  Stack stack(
+      {piece({80.0, 80.0}, 1.0, 0.0, 0.0), piece({24.0, 24.0}, 1.0, 0.0, t), piece({80.0, 80.0}, 1.0, 45.0, 2.0 * t)});
   double sunk = 0.0;
   for (; sunk < t + 0.05; sunk += 0.01) {
     stack.place(2, [&](const Vec3& x) -> Vec3 {
@@ -208,7 +209,9 @@ TEST(PlyContact, MeasuredCompactionIsThePressure) {
     stack.place(1, [&](const Vec3& x) -> Vec3 { return {x[0], x[1], x[2] - depth}; });
     stack.touch(1.0);
     const auto pair = stack.contact().pairs()[0];
-    const double wanted = depth < 0.06 ? 0.4 * depth : depth < 0.11 ? 0.02 + 1.2 * (depth - 0.05) : 0.08 + 3.4 * (depth - 0.1);
+    const double wanted = depth < 0.06   ? 0.4 * depth
+                          : depth < 0.11 ? 0.02 + 1.2 * (depth - 0.05)
+                                         : 0.08 + 3.4 * (depth - 0.1);
     EXPECT_NEAR(pair.force / pair.area, wanted, 1e-3 * wanted);
   }
 }
@@ -222,8 +225,10 @@ TEST(PlyContact, AnyNumberOfThreadsGivesTheSameBits) {
     crumple(stack, 0.05, 3);
     std::vector<double> bits;
     for (std::size_t k = 0; k < stack.size(); ++k)
-      for (const auto& component : stack.ply(k).state().force) bits.insert(bits.end(), component.begin(), component.end());
-    for (const auto& pair : stack.contact().pairs()) bits.insert(bits.end(), {pair.stored, pair.friction_work, pair.damping_work});
+      for (const auto& component : stack.ply(k).state().force)
+        bits.insert(bits.end(), component.begin(), component.end());
+    for (const auto& pair : stack.contact().pairs())
+      bits.insert(bits.end(), {pair.stored, pair.friction_work, pair.damping_work});
     all.push_back(bits);
   }
   EXPECT_EQ(all[0], all[1]);
@@ -232,7 +237,8 @@ TEST(PlyContact, AnyNumberOfThreadsGivesTheSameBits) {
 
 TEST(PlyContact, LawsThatAreNoneAreRefused) {
   const auto refused = [](const PairLaw& law) {
-    EXPECT_THROW(Stack({piece({60.0, 40.0}, 1.0, 0.0, 0.0), piece({60.0, 40.0}, 1.0, 0.0, thickness())}, law), InputError);
+    EXPECT_THROW(Stack({piece({60.0, 40.0}, 1.0, 0.0, 0.0), piece({60.0, 40.0}, 1.0, 0.0, thickness())}, law),
+                 InputError);
   };
   PairLaw law = rubbing(-0.1);
   refused(law);
