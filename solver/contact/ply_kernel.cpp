@@ -9,26 +9,33 @@
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
-// Square roots and inverses in single precision, where 1e-7 is enough or one more step makes it so: doubles take four
-// times as long.
-WEAVEFORM_INLINE double rough_inverse(double x) {
-  return static_cast<double>(1.0F / static_cast<float>(x));
+// 1/sqrt(x) to 1e-10, x > 0: half the exponent with its sign turned, and Newton's y (3 - x y^2)/2 three times. A loop
+// of roots and divisions would wait for those alone. Where more is needed one more step makes it so.
+WEAVEFORM_INLINE double inverse_root(double x) {
+  const auto bits = __builtin_bit_cast(unsigned long, x);
+  double y = __builtin_bit_cast(double, 0x5fe6eb50c7b537a9UL - (bits >> 1U));
+  const double half = 0.5 * x;
+  y *= 1.5 - half * y * y;
+  y *= 1.5 - half * y * y;
+  y *= 1.5 - half * y * y;
+  return y;
 }
-WEAVEFORM_INLINE double rough_root(double square) {
-  return static_cast<double>(std::sqrt(static_cast<float>(square)));
+WEAVEFORM_INLINE double inverse_of(double x) {
+  const double y = inverse_root(x);
+  return y * y;
 }
 
 // Keep inverses finite, far below anything that matters.
-constexpr double least = 1e-30, least_area = 1e-12, least_length = 1e-18;  // mm^4, mm^2, mm
+constexpr double least = 1e-30, least_area = 1e-12, least_square = 1e-60;  // mm^4, mm^2, mm^2 or N^2
 
 // Piecewise linear, x >= 0.
 WEAVEFORM_INLINE double value_at(const EvenTable& table, double x) {
   const double along = x * table.per_unit;
   const double inside = along < table.intervals ? along : table.intervals;
-  int left = static_cast<int>(inside);
+  long left = static_cast<long>(inside);
   left = left < table.intervals ? left : table.intervals - 1;
   const double low = table.value[left], high = table.value[left + 1];
-  return low + (high - low) * (inside - left) + table.last_slope * (along - inside);
+  return low + (high - low) * (inside - static_cast<double>(left)) + table.last_slope * (along - inside);
 }
 
 // What all nodes of a block have in common.
@@ -47,7 +54,7 @@ struct Foot {
 
 // r = dxi S_xi + deta S_eta + s n, by Cramer's rule.
 WEAVEFORM_INLINE Foot foot(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes, int i) {
-  const int corner = nodes.corner[i];
+  const long corner = nodes.corner[i];
   const double xi = nodes.place[0][i], eta = nodes.place[1][i];
   double e1[3], e2[3], e3[3], n[3], from[3], r[3], s1[3], s2[3];
 #pragma GCC unroll 3
@@ -68,7 +75,8 @@ WEAVEFORM_INLINE Foot foot(const PlyPassLaw& law, const Common& common, const Pl
   const double b[3] = {n[1] * s1[2] - n[2] * s1[1], n[2] * s1[0] - n[0] * s1[2], n[0] * s1[1] - n[1] * s1[0]};
   const double all = s1[0] * a[0] + s1[1] * a[1] + s1[2] * a[2];
   const double determinant = nodes.stiffness[i] > 0.0 ? all : 0.0;
-  const double inverse = determinant > least ? rough_inverse(determinant) : 0.0;
+  const double held = determinant > least ? determinant : 1.0;
+  const double inverse = determinant > least ? inverse_of(held) : 0.0;
   Foot f;
   f.meets = determinant > least ? 1.0 : 0.0;
   f.dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse;
@@ -84,8 +92,8 @@ WEAVEFORM_INLINE Foot foot(const PlyPassLaw& law, const Common& common, const Pl
     square += f.r[c] * f.r[c];
     along += f.r[c] * n[c];
   }
-  const double guess = rough_root(square) + least_length;
-  f.inverse_distance = rough_inverse(guess);
+  f.inverse_distance = inverse_root(square + least_square);
+  const double guess = square * f.inverse_distance;
   f.distance = guess + 0.5 * (square - guess * guess) * f.inverse_distance;
   f.depth = law.reach - (law.side * along >= 0.0 ? f.distance : -f.distance);
   return f;
@@ -131,13 +139,11 @@ WEAVEFORM_INLINE void share_out(const PlyPassLaw& law, const Common& common, con
   for (int d = 0; d < 3; ++d) {
     const double force = across * f.r[d] + q1 * f.s1[d] + q2 * f.s2[d];
     forces.force[d][i] = force;
-    forces.back[0][i][d] = g0 * f.r[d] - n0 * force;
-    forces.back[1][i][d] = g1 * f.r[d] - n1 * force;
-    forces.back[2][i][d] = g2 * f.r[d] - n2 * force;
-    forces.back[3][i][d] = g3 * f.r[d] - n3 * force;
+    forces.back[0][d][i] = g0 * f.r[d] - n0 * force;
+    forces.back[1][d][i] = g1 * f.r[d] - n1 * force;
+    forces.back[2][d][i] = g2 * f.r[d] - n2 * force;
+    forces.back[3][d][i] = g3 * f.r[d] - n3 * force;
   }
-#pragma GCC unroll 4
-  for (int a = 0; a < 4; ++a) forces.back[a][i][3] = 0.0;
 }
 
 template <bool with_tables>
@@ -152,8 +158,7 @@ WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& 
   // t from the anchor to the foot, u over the step just made
   const double t1 = f.xi - nodes.anchor[0][i], t2 = f.eta - nodes.anchor[1][i];
   const double q1 = kt * t1 + ct * f.dxi, q2 = kt * t2 + ct * f.deta;
-  const double drag0 = static_cast<double>(nodes.drag[0][i]), drag1 = static_cast<double>(nodes.drag[1][i]),
-               drag2 = static_cast<double>(nodes.drag[2][i]);
+  const double drag0 = nodes.drag[0][i], drag1 = nodes.drag[1][i], drag2 = nodes.drag[2][i];
   double t_square = 0.0, s_square = 0.0, u_square = 0.0, t_u = 0.0, u_drag = 0.0;
 #pragma GCC unroll 3
   for (int d = 0; d < 3; ++d) {
@@ -165,7 +170,8 @@ WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& 
     t_u += t * u;
     u_drag += u * (drag1 * f.s1[d] + drag2 * f.s2[d]);
   }
-  const double t_size = rough_root(t_square), s_size = rough_root(s_square);
+  const double t_size = t_square * inverse_root(t_square + least_square);
+  const double s_inverse = inverse_root(s_square + least_square), s_size = s_square * s_inverse;
   double limit = law.friction * normal.force, holds = f.depth > 0.0 ? 1.0 : 0.0;
   if constexpr (with_tables) {
     if (law.shear.intervals > 0) {
@@ -173,7 +179,7 @@ WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& 
       limit += holds * area * value_at(law.shear, nodes.path[i] + t_size);
     }
   }
-  const double cut = s_size > limit ? limit * rough_inverse(s_size) : 1.0;
+  const double cut = s_size > limit ? limit * s_inverse : 1.0;
   share_out(law, common, f, normal.force, -cut * q1, -cut * q2, forces, i);
   forces.acts[i] = normal.force + cut * s_size;
 
@@ -185,9 +191,9 @@ WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& 
   nodes.anchor[1][i] = given > 0.0 ? f.eta - cut * t2 : nodes.anchor[1][i];
   nodes.path[i] += given > 0.0 ? slid : 0.0;
   nodes.depth[i] = given > 0.0 ? f.depth : nodes.depth[i];
-  nodes.drag[0][i] = static_cast<float>(given > 0.0 ? drag_now : drag0);
-  nodes.drag[1][i] = static_cast<float>(given > 0.0 ? -cut * ct * f.dxi : drag1);
-  nodes.drag[2][i] = static_cast<float>(given > 0.0 ? -cut * ct * f.deta : drag2);
+  nodes.drag[0][i] = given > 0.0 ? drag_now : drag0;
+  nodes.drag[1][i] = given > 0.0 ? -cut * ct * f.dxi : drag1;
+  nodes.drag[2][i] = given > 0.0 ? -cut * ct * f.deta : drag2;
 
   Contribution out;
   out.area = f.depth > 0.0 ? area : 0.0;  // area is 0 where nothing acts
@@ -199,7 +205,7 @@ WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& 
       common.moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
   out.damping_work = common.moved * 0.5 * (drag0 + drag_now) * sinking;
   out.depth = given > 0.0 ? f.depth : -1e300;
-  out.pressure = normal.force * rough_inverse(area + least_area);
+  out.pressure = normal.force * inverse_of(area + least_area);
   const double low = f.xi < f.eta ? f.xi : f.eta, high = f.xi > f.eta ? f.xi : f.eta;
   const double over = common.twist > 0.0 ? high - 1.0 : f.xi + f.eta - 1.0;
   const double out_of_cell = over > -low ? over : -low;
@@ -260,15 +266,16 @@ void normals(int count, const double* const (&west)[3], const double* const (&ea
 
 using Four [[gnu::vector_size(32)]] = double;
 
-void give_back(int count, const int* corner, const int (&beside)[3], const PlyPassForces& forces, double* into,
+void give_back(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces, double* into,
                char* touched) {
   const int away[4] = {0, beside[0], beside[1], beside[2]};
   for (int i = 0; i < count; ++i) {
     if (!(forces.acts[i] > 0.0)) continue;
     for (int a = 0; a < 4; ++a) {
-      const int node = corner[i] + away[a];
-      Four* const sum = reinterpret_cast<Four*>(into + 4 * static_cast<long>(node));
-      *sum += *reinterpret_cast<const Four*>(forces.back[a][i]);
+      const long node = corner[i] + away[a];
+      Four* const sum = reinterpret_cast<Four*>(into + 4 * node);
+      const Four more = {forces.back[a][0][i], forces.back[a][1][i], forces.back[a][2][i], 0.0};
+      *sum += more;
       touched[node / ply_segment] = 1;
     }
   }

@@ -20,7 +20,7 @@
 namespace weaveform {
 
 inline constexpr int ply_nodes_at_a_time = 64;
-inline constexpr int ply_nodes_padded_to = 16;  // loops go over so many at once, and leave none for a slower end
+inline constexpr int ply_nodes_padded_to = 8;  // loops go over so many at once, and leave none for a slower end
 
 // A curve of values at i / per_unit, i = 0 .. intervals; beyond it goes on with `last_slope`.
 struct EvenTable {
@@ -51,20 +51,20 @@ struct PlyPassNodes {
   const double* normal[3];   // along the node's normal, upwards; of any length; no foot where it is 0
   const double* stiffness;   // N/mm; k; 0 where nothing acts: what is kept of such a node stays as it is
   const double* area;        // mm^2; of the fabric around the node
-  const int* corner;         // first corner of the foot's cell
+  const long* corner;        // first corner of the foot's cell; as wide as doubles, so that loops do not mix widths
   int beside[3];             // from it to the other three; the last is 0 for triangles
   const double* surface[3];  // mm; positions of the other ply's nodes
   double* place[2];          // xi, eta
   double* anchor[2];         // likewise
   double* depth;             // mm; p at the step before, then now
-  float* drag[3];            // N; of the dampers at the step before, then now: normal, and the components q of T
+  double* drag[3];           // N; of the dampers at the step before, then now: normal, and the components q of T
   double* path;              // mm; slip so far
 };
 
 // What the nodes of a block feel.
 struct PlyPassForces {
   alignas(64) double force[3][ply_nodes_at_a_time];    // N; F
-  alignas(64) double back[4][ply_nodes_at_a_time][4];  // N; of each corner: x, y, z, and nothing
+  alignas(64) double back[4][3][ply_nodes_at_a_time];  // N; of each corner
   alignas(64) double acts[ply_nodes_at_a_time];        // N; above 0 where something acts
 };
 
@@ -89,7 +89,7 @@ using PlyPass = PlyPassSums(const PlyPassLaw& law, double inverse_time, const Pl
 // for each so many of them.
 inline constexpr int ply_segment = 64;
 // Adds what the corners take, of the first `count` nodes.
-using PlyGiveBack = void(int count, const int* corner, const int (&beside)[3], const PlyPassForces& forces,
+using PlyGiveBack = void(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
                          double* into, char* touched);
 
 // Normals of nodes between their neighbours in four directions: n = (east - west) x (north - south).

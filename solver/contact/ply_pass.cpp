@@ -57,11 +57,12 @@ void PlyPassState::wake() {
   origin_facet_.assign(count, -1);
   corner_.assign(count, 0);
   for (auto* list : numbers()) list->assign(count, 0.0);
-  for (auto& list : drag_) list.assign(count, 0.0F);
+  for (auto& list : drag_) list.assign(count, 0.0);
 }
 
 void PlyPassState::forget() {
-  facet_ = origin_facet_ = corner_ = {};
+  facet_ = origin_facet_ = {};
+  corner_ = {};
   for (auto* list : numbers()) *list = {};
   for (auto& list : drag_) list = {};
 }
@@ -142,7 +143,7 @@ void PlyPassState::turn_on(int lane, const SurfacePlace& place, double depth) {
   anchor_[0][lane] = place.xi;
   anchor_[1][lane] = place.eta;
   depth_[lane] = depth;
-  for (auto& drag : drag_) drag[lane] = 0.0F;
+  for (auto& drag : drag_) drag[lane] = 0.0;
   stiffness_[lane] =
       node_stiffness(own_.touching(), other_.touching(), frequency_, own_.mass()[lane], own_.area()[lane]);
   set_corner(lane);
@@ -154,7 +155,7 @@ void PlyPassState::turn_on(int lane, const SurfacePlace& place, double depth) {
 
 void PlyPassState::turn_off(int lane) {
   stiffness_[lane] = 0.0;
-  for (auto& drag : drag_) drag[lane] = 0.0F;
+  for (auto& drag : drag_) drag[lane] = 0.0;
   set_corner(lane);
 }
 
@@ -219,7 +220,8 @@ void PlyPassState::look_at_triangles(int number, const BlockFrame& frame, double
     node.count = 1;
     node.stiffness = &stiffness_[lane];
     node.area += i;
-    node.corner = corner.data();
+    const long first_corner = corner[0];
+    node.corner = &first_corner;
     for (int a = 0; a < 3; ++a) node.beside[a] = corner[a + 1] - corner[0];
     node.depth += i;
     node.path += i;
@@ -261,12 +263,11 @@ void PlyPassState::move_feet(int number) {
       continue;
     }
     const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
-    const Vec2 drag = surface.carried_over({static_cast<double>(drag_[1][l]), static_cast<double>(drag_[2][l])},
-                                           now.facet, next.facet);
+    const Vec2 drag = surface.carried_over({drag_[1][l], drag_[2][l]}, now.facet, next.facet);
     put(l, next);
     for (std::size_t k = 0; k < 2; ++k) {
       anchor_[k][l] = place_[k][l] - stretch[k];
-      drag_[k + 1][l] = static_cast<float>(drag[k]);
+      drag_[k + 1][l] = drag[k];
     }
     set_corner(l);
   }
@@ -411,12 +412,11 @@ PlyPassState::Press PlyPassState::press(int lane) const {
   const double pressed = std::max(depth, 0.0), soft = std::min(pressed, law_.softening);
   const double elastic = law_.pressure.intervals > 0 ? area * table_value(law_.pressure, pressed)
                                                      : k * soft / law_.softening * (pressed - 0.5 * soft);
-  press.normal = std::max(elastic + static_cast<double>(drag_[0][lane]), 0.0);
+  press.normal = std::max(elastic + drag_[0][lane], 0.0);
   const Frame frame = frame_at(place_of(lane));
   const double kt = law_.tangential * k;
-  const Vec3 along =
-      plus(scaled(frame.s1, kt * (place_[0][lane] - anchor_[0][lane]) - static_cast<double>(drag_[1][lane])),
-           scaled(frame.s2, kt * (place_[1][lane] - anchor_[1][lane]) - static_cast<double>(drag_[2][lane])));
+  const Vec3 along = plus(scaled(frame.s1, kt * (place_[0][lane] - anchor_[0][lane]) - drag_[1][lane]),
+                          scaled(frame.s2, kt * (place_[1][lane] - anchor_[1][lane]) - drag_[2][lane]));
   press.tangential = length(along);
   press.pressure = area > 0.0 ? press.normal / area : 0.0;
   if (!(press.normal > 0.0) && !(press.tangential > 0.0)) return press;
@@ -440,11 +440,7 @@ void PlyPassState::archive(Archive& archive) {
     for (auto& list : *places) archive.numbers("a foot", list);
   archive.numbers("a depth between plies", depth_);
   archive.numbers("a slip path", path_, not_negative);
-  for (auto& list : drag_) {
-    std::vector<double> drag(list.begin(), list.end());
-    archive.numbers("a drag between plies", drag);
-    for (std::size_t l = 0; l < list.size(); ++l) list[l] = static_cast<float>(drag[l]);
-  }
+  for (auto& list : drag_) archive.numbers("a drag between plies", list);
   archive.numbers("a clearance between plies", far_, infinite_too);
   std::vector<int> flags;
   for (std::size_t b = 0; b < clear_.size(); ++b) flags.insert(flags.end(), {clear_[b], measured_[b]});

@@ -99,10 +99,11 @@ private:
   // per lane
   Doubles stiffness_;  // N/mm; 0 where no node is, or its foot is off the surface
   Doubles on_quads_;   // N/mm; the same, but 0 on triangles, which are looked at one by one
-  std::vector<int> facet_, corner_;
+  std::vector<int> facet_;
+  std::vector<long> corner_;
   std::array<Doubles, 2> place_, anchor_, origin_;
   Doubles depth_, path_;
-  std::array<std::vector<float>, 3> drag_;
+  Components drag_;
   std::vector<int> origin_facet_;
 
   // per block
