@@ -45,15 +45,19 @@ struct Common {
   double twist;  // 1, or 0 on triangles
 };
 
-struct Foot {
-  double xi, eta, dxi, deta;  // and its way since the step before
-  double s1[3], s2[3], r[3];  // S_xi, S_eta, x - y
-  double distance, inverse_distance, depth;
-  double meets;  // 1, or 0 where the normals part by 90 degrees
+// A node's law is one long chain of results; three short loops over a block keep several nodes in flight, one long loop
+// one at a time. Between the loops:
+struct Feet {
+  alignas(64) double dxi[ply_nodes_at_a_time], deta[ply_nodes_at_a_time];  // way since the step before
+  alignas(64) double s1[3][ply_nodes_at_a_time], s2[3][ply_nodes_at_a_time];
+  alignas(64) double r[3][ply_nodes_at_a_time];                                // S_xi, S_eta, x - y; mm
+  alignas(64) double square[ply_nodes_at_a_time], along[ply_nodes_at_a_time];  // r.r, r.n
+  alignas(64) double meets[ply_nodes_at_a_time];  // 1, or 0 where the normals part by 90 degrees
+  alignas(64) double across[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // F = across r + T
 };
 
 // r = dxi S_xi + deta S_eta + s n, by Cramer's rule.
-WEAVEFORM_INLINE Foot foot(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes, int i) {
+WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes, Feet& feet, int i) {
   const long corner = nodes.corner[i];
   const double xi = nodes.place[0][i], eta = nodes.place[1][i];
   double e1[3], e2[3], e3[3], n[3], from[3], r[3], s1[3], s2[3];
@@ -77,26 +81,27 @@ WEAVEFORM_INLINE Foot foot(const PlyPassLaw& law, const Common& common, const Pl
   const double determinant = nodes.stiffness[i] > 0.0 ? all : 0.0;
   const double held = determinant > least ? determinant : 1.0;
   const double inverse = determinant > least ? inverse_of(held) : 0.0;
-  Foot f;
-  f.meets = determinant > least ? 1.0 : 0.0;
-  f.dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse;
-  f.deta = (r[0] * b[0] + r[1] * b[1] + r[2] * b[2]) * inverse;
-  f.xi = xi + f.dxi;
-  f.eta = eta + f.deta;
+  const double dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse;
+  const double deta = (r[0] * b[0] + r[1] * b[1] + r[2] * b[2]) * inverse;
+  const double xi_now = xi + dxi, eta_now = eta + deta;
   double square = 0.0, along = 0.0;
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
-    f.s1[c] = e1[c] + f.eta * e3[c];
-    f.s2[c] = e2[c] + f.xi * e3[c];
-    f.r[c] = from[c] - f.xi * e1[c] - f.eta * f.s2[c];
-    square += f.r[c] * f.r[c];
-    along += f.r[c] * n[c];
+    const double second = e2[c] + xi_now * e3[c];
+    const double way = from[c] - xi_now * e1[c] - eta_now * second;
+    feet.s1[c][i] = e1[c] + eta_now * e3[c];
+    feet.s2[c][i] = second;
+    feet.r[c][i] = way;
+    square += way * way;
+    along += way * n[c];
   }
-  f.inverse_distance = inverse_root(square + least_square);
-  const double guess = square * f.inverse_distance;
-  f.distance = guess + 0.5 * (square - guess * guess) * f.inverse_distance;
-  f.depth = law.reach - (law.side * along >= 0.0 ? f.distance : -f.distance);
-  return f;
+  nodes.place[0][i] = xi_now;
+  nodes.place[1][i] = eta_now;
+  feet.dxi[i] = dxi;
+  feet.deta[i] = deta;
+  feet.square[i] = square;
+  feet.along[i] = along;
+  feet.meets[i] = determinant > least ? 1.0 : 0.0;
 }
 
 struct Normal {
@@ -128,75 +133,62 @@ struct Contribution {
   double area, normal, friction, energy, friction_work, damping_work, depth, pressure, outside;
 };
 
-// Force on the node, and through the foot on the corners; q are the components of the tangential one.
-WEAVEFORM_INLINE void share_out(const PlyPassLaw& law, const Common& common, const Foot& f, double normal, double q1,
-                                double q2, PlyPassForces& forces, int i) {
-  const double side = f.depth < law.reach ? 1.0 : -1.0;  // beyond the surface r points the other way
-  const double across = side * normal * f.inverse_distance;
-  const double n3 = common.twist * f.xi * f.eta, n1 = f.xi - n3, n2 = f.eta - n3, n0 = 1.0 - f.xi - f.eta + n3;
-  const double g3 = common.twist * (q1 * f.eta + q2 * f.xi), g1 = q1 - g3, g2 = q2 - g3, g0 = g3 - q1 - q2;
-#pragma GCC unroll 3
-  for (int d = 0; d < 3; ++d) {
-    const double force = across * f.r[d] + q1 * f.s1[d] + q2 * f.s2[d];
-    forces.force[d][i] = force;
-    forces.back[0][d][i] = g0 * f.r[d] - n0 * force;
-    forces.back[1][d][i] = g1 * f.r[d] - n1 * force;
-    forces.back[2][d][i] = g2 * f.r[d] - n2 * force;
-    forces.back[3][d][i] = g3 * f.r[d] - n3 * force;
-  }
-}
-
 template <bool with_tables>
-WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes,
-                                           PlyPassForces& forces, int i) {
-  const Foot f = foot(law, common, nodes, i);
-  const double given = nodes.stiffness[i], k = f.meets * given, area = f.meets * law.share * nodes.area[i];
+WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes, Feet& feet,
+                                    PlyPassForces& forces, int i) {
+  const double inverse_distance = inverse_root(feet.square[i] + least_square);
+  const double guess = feet.square[i] * inverse_distance;
+  const double distance = guess + 0.5 * (feet.square[i] - guess * guess) * inverse_distance;
+  const double side = law.side * feet.along[i] >= 0.0 ? 1.0 : -1.0;  // beyond the surface r points the other way
+  const double depth = law.reach - side * distance;
+  const double given = nodes.stiffness[i], k = feet.meets[i] * given, area = feet.meets[i] * law.share * nodes.area[i];
   const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
-  const double sinking = f.depth - nodes.depth[i];  // over the step just made
-  const Normal normal = normal_force<with_tables>(law, common, f.depth, sinking, k, area);
+  const double sinking = depth - nodes.depth[i];  // over the step just made
+  const Normal normal = normal_force<with_tables>(law, common, depth, sinking, k, area);
 
   // t from the anchor to the foot, u over the step just made
-  const double t1 = f.xi - nodes.anchor[0][i], t2 = f.eta - nodes.anchor[1][i];
-  const double q1 = kt * t1 + ct * f.dxi, q2 = kt * t2 + ct * f.deta;
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i], dxi = feet.dxi[i], deta = feet.deta[i];
+  const double t1 = xi - nodes.anchor[0][i], t2 = eta - nodes.anchor[1][i];
+  const double q1 = kt * t1 + ct * dxi, q2 = kt * t2 + ct * deta;
   const double drag0 = nodes.drag[0][i], drag1 = nodes.drag[1][i], drag2 = nodes.drag[2][i];
-  double t_square = 0.0, s_square = 0.0, u_square = 0.0, t_u = 0.0, u_drag = 0.0;
+  double g11 = 0.0, g12 = 0.0, g22 = 0.0;  // the metric of the cell: products of its vectors' components
 #pragma GCC unroll 3
   for (int d = 0; d < 3; ++d) {
-    const double t = t1 * f.s1[d] + t2 * f.s2[d], u = f.dxi * f.s1[d] + f.deta * f.s2[d];
-    const double s = q1 * f.s1[d] + q2 * f.s2[d];
-    t_square += t * t;
-    s_square += s * s;
-    u_square += u * u;
-    t_u += t * u;
-    u_drag += u * (drag1 * f.s1[d] + drag2 * f.s2[d]);
+    g11 += feet.s1[d][i] * feet.s1[d][i];
+    g12 += feet.s1[d][i] * feet.s2[d][i];
+    g22 += feet.s2[d][i] * feet.s2[d][i];
   }
+  const double u_1 = g11 * dxi + g12 * deta, u_2 = g12 * dxi + g22 * deta;
+  const double u_square = dxi * u_1 + deta * u_2, t_u = t1 * u_1 + t2 * u_2, u_drag = drag1 * u_1 + drag2 * u_2;
+  const double t_square = t1 * (g11 * t1 + g12 * t2) + t2 * (g12 * t1 + g22 * t2);
+  const double s_square = q1 * (g11 * q1 + g12 * q2) + q2 * (g12 * q1 + g22 * q2);
   const double t_size = t_square * inverse_root(t_square + least_square);
   const double s_inverse = inverse_root(s_square + least_square), s_size = s_square * s_inverse;
-  double limit = law.friction * normal.force, holds = f.depth > 0.0 ? 1.0 : 0.0;
+  double limit = law.friction * normal.force, holds = depth > 0.0 ? 1.0 : 0.0;
   if constexpr (with_tables) {
     if (law.shear.intervals > 0) {
-      holds = f.depth > law.adhesion ? 1.0 : 0.0;
+      holds = depth > law.adhesion ? 1.0 : 0.0;
       limit += holds * area * value_at(law.shear, nodes.path[i] + t_size);
     }
   }
   const double cut = s_size > limit ? limit * s_inverse : 1.0;
-  share_out(law, common, f, normal.force, -cut * q1, -cut * q2, forces, i);
+  feet.across[i] = side * normal.force * inverse_distance;
+  feet.q1[i] = -cut * q1;
+  feet.q2[i] = -cut * q2;
   forces.acts[i] = normal.force + cut * s_size;
 
   // a node on which nothing acts keeps what it had
   const double drag_now = normal.force - normal.elastic, slid = (1.0 - cut) * t_size * holds;
-  nodes.place[0][i] = f.xi;
-  nodes.place[1][i] = f.eta;
-  nodes.anchor[0][i] = given > 0.0 ? f.xi - cut * t1 : nodes.anchor[0][i];
-  nodes.anchor[1][i] = given > 0.0 ? f.eta - cut * t2 : nodes.anchor[1][i];
+  nodes.anchor[0][i] = given > 0.0 ? xi - cut * t1 : nodes.anchor[0][i];
+  nodes.anchor[1][i] = given > 0.0 ? eta - cut * t2 : nodes.anchor[1][i];
   nodes.path[i] += given > 0.0 ? slid : 0.0;
-  nodes.depth[i] = given > 0.0 ? f.depth : nodes.depth[i];
+  nodes.depth[i] = given > 0.0 ? depth : nodes.depth[i];
   nodes.drag[0][i] = given > 0.0 ? drag_now : drag0;
-  nodes.drag[1][i] = given > 0.0 ? -cut * ct * f.dxi : drag1;
-  nodes.drag[2][i] = given > 0.0 ? -cut * ct * f.deta : drag2;
+  nodes.drag[1][i] = given > 0.0 ? -cut * ct * dxi : drag1;
+  nodes.drag[2][i] = given > 0.0 ? -cut * ct * deta : drag2;
 
   Contribution out;
-  out.area = f.depth > 0.0 ? area : 0.0;  // area is 0 where nothing acts
+  out.area = depth > 0.0 ? area : 0.0;
   out.normal = normal.force;
   out.friction = cut * s_size;
   out.energy = normal.stored + 0.5 * kt * cut * cut * t_square;
@@ -204,13 +196,30 @@ WEAVEFORM_INLINE Contribution contribution(const PlyPassLaw& law, const Common& 
   out.friction_work =
       common.moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
   out.damping_work = common.moved * 0.5 * (drag0 + drag_now) * sinking;
-  out.depth = given > 0.0 ? f.depth : -1e300;
+  out.depth = given > 0.0 ? depth : -1e300;
   out.pressure = normal.force * inverse_of(area + least_area);
-  const double low = f.xi < f.eta ? f.xi : f.eta, high = f.xi > f.eta ? f.xi : f.eta;
-  const double over = common.twist > 0.0 ? high - 1.0 : f.xi + f.eta - 1.0;
+  const double low = xi < eta ? xi : eta, high = xi > eta ? xi : eta;
+  const double over = common.twist > 0.0 ? high - 1.0 : xi + eta - 1.0;
   const double out_of_cell = over > -low ? over : -low;
   out.outside = given > 0.0 ? out_of_cell : -1.0;
   return out;
+}
+
+// Force on the node, and through the foot on the corners.
+WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes, const Feet& feet,
+                                PlyPassForces& forces, int i) {
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i], q1 = feet.q1[i], q2 = feet.q2[i];
+  const double n3 = common.twist * xi * eta, n1 = xi - n3, n2 = eta - n3, n0 = 1.0 - xi - eta + n3;
+  const double g3 = common.twist * (q1 * eta + q2 * xi), g1 = q1 - g3, g2 = q2 - g3, g0 = g3 - q1 - q2;
+#pragma GCC unroll 3
+  for (int d = 0; d < 3; ++d) {
+    const double r = feet.r[d][i], force = feet.across[i] * r + q1 * feet.s1[d][i] + q2 * feet.s2[d][i];
+    forces.force[d][i] = force;
+    forces.back[0][d][i] = g0 * r - n0 * force;
+    forces.back[1][d][i] = g1 * r - n1 * force;
+    forces.back[2][d][i] = g2 * r - n2 * force;
+    forces.back[3][d][i] = g3 * r - n3 * force;
+  }
 }
 
 template <bool with_tables>
@@ -224,10 +233,13 @@ PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPass
                          .twist = nodes.beside[2] != 0 ? 1.0 : 0.0};
   double area = 0.0, normal = 0.0, friction = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
   double depth = -1e300, pressure = 0.0, outside = -1.0;
+  Feet feet;
+#pragma omp simd
+  for (int i = 0; i < nodes.count; ++i) find_foot(common, nodes, feet, i);
 #pragma omp simd reduction(+ : area, normal, friction, energy, friction_work, damping_work) \
     reduction(max : depth, pressure, outside)
   for (int i = 0; i < nodes.count; ++i) {
-    const Contribution one = contribution<with_tables>(law, common, nodes, forces, i);
+    const Contribution one = press<with_tables>(law, common, nodes, feet, forces, i);
     area += one.area;
     normal += one.normal;
     friction += one.friction;
@@ -238,6 +250,8 @@ PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPass
     pressure = one.pressure > pressure ? one.pressure : pressure;
     outside = one.outside > outside ? one.outside : outside;
   }
+#pragma omp simd
+  for (int i = 0; i < nodes.count; ++i) share_out(common, nodes, feet, forces, i);
   return {.area = area,
           .normal = normal,
           .friction = friction,
