@@ -19,8 +19,8 @@ constexpr double draped_tolerance = 0.1;  // of the thickness; surfaces of chord
 constexpr double wakes_within = 0.25;  // of the thinner ply's thickness: a pair that is nearer is looked at by blocks
 constexpr double safe_part_asleep = 0.5;  // of a pair's measured gap
 constexpr int look_for_lost_every = 16;   // steps; a foot comes back to a ply's edge, at most so late
-constexpr int blocks_in_chunk = 40, most_chunks = 8;
-constexpr int nodes_to_fold = 2048;
+constexpr int lanes_in_chunk = 4000, most_chunks = 4;
+constexpr int segments_to_fold = 32;
 
 std::string name_of_ply(const PlyContactSetup& setup, std::size_t k) {
   return k < setup.names.size() ? setup.names[k] : fmt::format("ply {}", k + 1);
@@ -32,8 +32,8 @@ PlyContact::PlyContact(const PlyContactSetup& setup) : parts_(std::make_unique<P
   Parts& parts = *parts_;
   for (std::size_t k = 0; k < setup.plies.size(); ++k) {
     parts.face.emplace_back(*setup.plies[k], name_of_ply(setup, k));
-    const int blocks = parts.face.back().blocks(),
-              chunks = std::clamp((blocks + blocks_in_chunk - 1) / blocks_in_chunk, 1, most_chunks);
+    const int blocks = static_cast<int>(parts.face.back().blocks().size()),
+              chunks = std::clamp(parts.face.back().lanes() / lanes_in_chunk, 1, most_chunks);
     for (int c = 0; c < chunks; ++c)
       parts.chunk.push_back({.ply = static_cast<int>(k),
                              .first_block = static_cast<int>(static_cast<long>(blocks) * c / chunks),
@@ -47,6 +47,7 @@ PlyContact::PlyContact(const PlyContactSetup& setup) : parts_(std::make_unique<P
       parts.make_pair(lower, upper, setup.law(lower, upper), setup.frequency, complaints);
   if (!complaints.empty()) throw InputError(complaints);
   for (auto& chunk : parts.chunk) chunk.back.resize(2 * parts.pair.size());
+  parts.list_returns();
   for (auto& pair : parts.pair) parts.look_at_start(pair, complaints);
   if (!complaints.empty()) throw InputError(complaints);
 }
@@ -70,6 +71,24 @@ void PlyContact::Parts::make_pair(int lower, int upper, const PairLaw& law, doub
                          frequency);
   made.pass.emplace_back(above, below, pass_law(law, made.tables, above.touching(), below.touching(), true, frequency),
                          frequency);
+}
+
+// Who gives to which part of which ply.
+void PlyContact::Parts::list_returns() {
+  for (int k = 0; k < static_cast<int>(face.size()); ++k) {
+    const int segments = (face[k].nodes() + ply_segment - 1) / ply_segment;
+    Part made = {.ply = k, .first_segment = 0, .end_segment = 0, .from = {}};
+    for (int c = 0; c < static_cast<int>(chunk.size()); ++c)
+      for (std::size_t p = 0; p < pair.size(); ++p)
+        for (std::size_t side = 0; side < 2; ++side)
+          if (&pair[p].pass[side].other() == &face[k] && &pair[p].pass[side].own() == &face[chunk[c].ply])
+            made.from.push_back({c, static_cast<int>(2 * p + side)});
+    for (int s = 0; s < segments; s += segments_to_fold) {
+      made.first_segment = s;
+      made.end_segment = std::min(s + segments_to_fold, segments);
+      part.push_back(made);
+    }
+  }
 }
 
 void PlyContact::Parts::look_at_start(Pair& its, std::vector<std::string>& complaints) {
@@ -147,8 +166,8 @@ void PlyContact::Parts::look(double inverse_time, bool look_for_lost) {
   team.run(static_cast<int>(chunk.size()), [&](int c) {
     Chunk& its = chunk[c];
     for (int b = its.first_block; b < its.end_block; ++b) {
-      BlockNormals normals;
-      bool with_normals = false;
+      BlockFrame frame;
+      bool with_frame = false;
       for (std::size_t k = 0; k < pair.size(); ++k)
         for (std::size_t side = 0; side < 2; ++side) {
           PlyPassState& pass = pair[k].pass[side];
@@ -157,9 +176,9 @@ void PlyContact::Parts::look(double inverse_time, bool look_for_lost) {
             pass.pass_over(b);
             continue;
           }
-          if (!with_normals) face[its.ply].normals(b, normals);
-          with_normals = true;
-          pass.look(b, normals, inverse_time, look_for_lost, its.back[2 * k + side]);
+          if (!with_frame) face[its.ply].frame(b, frame);
+          with_frame = true;
+          pass.look(b, frame, inverse_time, look_for_lost, its.back[2 * k + side]);
         }
     }
   });
@@ -167,26 +186,23 @@ void PlyContact::Parts::look(double inverse_time, bool look_for_lost) {
 
 // What the others' nodes gave back, to each ply in the order of the chunks.
 void PlyContact::Parts::fold() {
-  std::vector<std::array<int, 2>> part;  // ply, first node
-  for (int k = 0; k < static_cast<int>(face.size()); ++k)
-    for (int first = 0; first < face[k].nodes(); first += nodes_to_fold) part.push_back({k, first});
   const PlyLoops& loops = loops_of_plies();
   team.run(static_cast<int>(part.size()), [&](int p) {
-    const auto [ply, first] = part[p];
-    const int end = std::min(first + nodes_to_fold, face[ply].nodes());
-    for (auto& its : chunk)
-      for (std::size_t k = 0; k < pair.size(); ++k)
-        for (std::size_t side = 0; side < 2; ++side) {
-          PlyReturn& back = its.back[2 * k + side];
-          if (&pair[k].pass[side].other() != &face[ply]) continue;
-          const int from = std::max(first, back.begin), to = std::min(end, back.end);
-          if (from >= to) continue;
-          for (int c = 0; c < 3; ++c)
-            loops.fold(to - from, back.force[c].data() + from, face[ply].state().force[c].data() + from);
-        }
+    const int ply = part[p].ply;
+    double* const force[3] = {face[ply].state().force[0].data(), face[ply].state().force[1].data(),
+                              face[ply].state().force[2].data()};
+    for (const auto& [c, pass] : part[p].from) {
+      PlyReturn& back = chunk[c].back[pass];
+      if (back.force.empty()) continue;
+      for (int s = part[p].first_segment; s < part[p].end_segment; ++s) {
+        if (back.touched[s] == 0) continue;
+        back.touched[s] = 0;
+        const int first = s * ply_segment, count = std::min(ply_segment, face[ply].nodes() - first);
+        double* const into[3] = {force[0] + first, force[1] + first, force[2] + first};
+        loops.fold(count, back.force.data() + 4 * static_cast<std::size_t>(first), into);
+      }
+    }
   });
-  for (auto& its : chunk)
-    for (auto& back : its.back) back.begin = back.end = 0;
 }
 
 void PlyContact::Parts::read(Pair& its) const {
@@ -251,7 +267,6 @@ void PlyContact::add_stiffness_bound(int ply, double fabric_frequency, std::vect
   }
   const auto& packed_of_mesh = face.ply().packed().packed_of_mesh;
   for (int n = 0; n < mesh.node_count(); ++n) bound[n] += sum[packed_of_mesh[n]];
-  if (face.mass().empty()) return;
   for (const auto& tie : mesh.tie) {
     const TieWeights weight = tie_weights(tie.share);
     bound[tie.to[0]] += weight.first * sum[packed_of_mesh[tie.node]];
@@ -290,12 +305,12 @@ std::vector<PairReading> PlyContact::pairs() const {
     double area = 0.0, slip = 0.0;
     if (pair.awake())
       for (const auto& pass : pair.pass)
-        for (int n = 0; n < pass.own().nodes(); ++n) {
-          reading.greatest_slip = std::max(reading.greatest_slip, pass.path(n));
-          if (!(pass.press(n).normal > 0.0)) continue;
-          const double here = pass.law().share * pass.own().area()[n];
+        for (int l = 0; l < pass.own().lanes(); ++l) {
+          reading.greatest_slip = std::max(reading.greatest_slip, pass.path(l));
+          if (!(pass.press(l).normal > 0.0)) continue;
+          const double here = pass.law().share * pass.own().area()[l];
           area += here;
-          slip += here * pass.path(n);
+          slip += here * pass.path(l);
         }
     reading.mean_slip = area > 0.0 ? slip / area : 0.0;
     all.push_back(reading);
@@ -305,12 +320,12 @@ std::vector<PairReading> PlyContact::pairs() const {
 
 namespace {
 
-void look_at_node(const PlyPassState& pass, int packed, int other, std::size_t node, PlyContactState& state) {
-  if (const double path = pass.path(packed); path >= state.slip_path[node]) {
+void look_at_lane(const PlyPassState& pass, int lane, int other, std::size_t node, PlyContactState& state) {
+  if (const double path = pass.path(lane); path >= state.slip_path[node]) {
     state.slip_path[node] = path;
-    state.slip[node] = pass.slip(packed);
+    state.slip[node] = pass.slip(lane);
   }
-  const auto press = pass.press(packed);
+  const auto press = pass.press(lane);
   if (press.friction == FrictionState::none) return;
   if (state.other[node] >= 0 && press.pressure <= state.pressure[node]) return;
   state.pressure[node] = press.pressure;
@@ -333,8 +348,8 @@ PlyContactState PlyContact::state_of(int ply) const {
     for (const auto& pass : pair.pass)
       if (&pass.own() == &face && pass.awake())
         for (std::size_t n = 0; n < count; ++n)
-          look_at_node(pass, face.ply().packed().packed_of_mesh[n],
-                       pair.reading.lower == ply ? pair.reading.upper : pair.reading.lower, n, state);
+          if (const int lane = face.lane_of(face.ply().packed().packed_of_mesh[n]); lane >= 0)
+            look_at_lane(pass, lane, pair.reading.lower == ply ? pair.reading.upper : pair.reading.lower, n, state);
   const auto copy = [&](int from, int to) {
     state.slip[to] = state.slip[from];
     state.slip_path[to] = state.slip_path[from];

@@ -1,4 +1,8 @@
 // A ply as contact with others knows it: its surface, its nodes that can touch, and their normals.
+//
+// Only nodes with a mass touch; they go in blocks of neighbours in a row, each padded to whole vectors. What contact keeps
+// of every node lies in one array by block: block b owns entries at .. at + lanes - 1, of which the first `count` are its
+// nodes, first .. first + count - 1 in the packed order.
 #pragma once
 
 #include <string>
@@ -11,9 +15,16 @@
 
 namespace weaveform {
 
-// Normals of the nodes of a block.
-struct BlockNormals {
-  alignas(64) double n[3][ply_nodes_at_a_time];
+struct PlyBlock {
+  int first = 0, count = 0;
+  int at = 0, lanes = 0;
+};
+
+// Places and normals of the nodes of a block, lanes beyond them 0.
+struct BlockFrame {
+  const double* x[3];  // mm
+  alignas(64) double normal[3][ply_nodes_at_a_time];
+  alignas(64) double copy[3][ply_nodes_at_a_time];  // of places, where the state's own array ends too early
 };
 
 class PlyFace {
@@ -25,29 +36,36 @@ public:
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const PlySurface& surface() const { return surface_; }
   [[nodiscard]] const TouchingPly& touching() const { return touching_; }
-  [[nodiscard]] const Doubles& mass() const { return mass_; }  // tonne; 0 where no node is, or it follows others
-  [[nodiscard]] const Doubles& area() const { return area_; }  // mm^2
-  [[nodiscard]] const std::vector<NodeArms>& arms() const { return arms_; }
-  [[nodiscard]] int nodes() const { return static_cast<int>(mass_.size()); }
-  [[nodiscard]] int blocks() const { return (nodes() + ply_nodes_at_a_time - 1) / ply_nodes_at_a_time; }
-  [[nodiscard]] int block_size(int block) const;
+  [[nodiscard]] int nodes() const { return ply_.packed().nodes; }
+  [[nodiscard]] const std::vector<PlyBlock>& blocks() const { return blocks_; }
+  [[nodiscard]] int lanes() const { return static_cast<int>(area_.size()); }
+  [[nodiscard]] int lane_of(int packed) const { return lane_of_[packed]; }  // -1: does not touch
+  [[nodiscard]] int node_of(int lane) const { return node_of_[lane]; }      // packed; -1: padding
+  [[nodiscard]] const Doubles& mass() const { return mass_; }               // tonne; per lane, 0 where no node is
+  [[nodiscard]] const Doubles& area() const { return area_; }               // mm^2; likewise
+  [[nodiscard]] const NodeArms& arms(int packed) const { return arms_[packed]; }
   [[nodiscard]] int shown_node(int packed) const { return mesh_of_packed_[packed]; }  // for messages
 
-  [[nodiscard]] Vec3 position(int node) const;
-  [[nodiscard]] Vec3 normal(int node) const;  // of any length
-  void normals(int block, BlockNormals& normals) const;
+  [[nodiscard]] Vec3 position(int packed) const;
+  [[nodiscard]] Vec3 normal(int packed) const;  // of any length
+  void frame(int block, BlockFrame& frame) const;
   // mm/s; greatest speed of the block's nodes.
   [[nodiscard]] double speed(int block) const;
 
   double way = 0.0;  // mm; no node has moved further since the start
 
 private:
+  void make_blocks();
+  void find_irregular();
+
   Ply& ply_;
   std::string name_;
   PlySurface surface_;
   std::vector<NodeArms> arms_;
   std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
   std::vector<std::vector<Vec3>> flat_;           // per packed node in a mirror plane: the planes' normals
+  std::vector<PlyBlock> blocks_;
+  std::vector<int> lane_of_, node_of_;
   Doubles mass_, area_;
   std::vector<int> mesh_of_packed_;
   TouchingPly touching_;

@@ -20,6 +20,7 @@
 namespace weaveform {
 
 inline constexpr int ply_nodes_at_a_time = 64;
+inline constexpr int ply_nodes_padded_to = 8;  // loops go over so many at once, and leave none for a slower end
 
 // A curve of values at i / per_unit, i = 0 .. intervals; beyond it goes on with `last_slope`.
 struct EvenTable {
@@ -47,20 +48,24 @@ struct PlyPassLaw {
 struct PlyPassNodes {
   int count;
   const double* x[3];        // mm
-  const double* normal[3];   // along the node's normal, upwards; of any length but 0
-  const double* stiffness;   // N/mm; k; 0 where no node is, or its foot is off the surface
+  const double* normal[3];   // along the node's normal, upwards; of any length; no foot where it is 0
+  const double* stiffness;   // N/mm; k; 0 where nothing acts: what is kept of such a node stays as it is
   const double* area;        // mm^2; of the fabric around the node
-  const int* corner[4];      // nodes of the foot's cell; the fourth is the first for a triangle
+  const long* corner;        // first corner of the foot's cell; as wide as doubles, so that loops do not mix widths
+  int beside[3];             // from it to the other three; the last is 0 for triangles
   const double* surface[3];  // mm; positions of the other ply's nodes
   double* place[2];          // xi, eta
   double* anchor[2];         // likewise
   double* depth;             // mm; p at the step before, then now
   double* drag[3];           // N; of the dampers at the step before, then now: normal, and the components q of T
   double* path;              // mm; slip so far
-  double* force[3];          // N; becomes F
-  double* back[4][3];        // N; becomes what the corners take
-  double* tangential_force;  // N; becomes |T|
-  double* normal_force;      // N; becomes N
+};
+
+// What the nodes of a block feel.
+struct PlyPassForces {
+  alignas(64) double force[3][ply_nodes_at_a_time];    // N; F
+  alignas(64) double back[4][3][ply_nodes_at_a_time];  // N; of each corner
+  alignas(64) double acts[ply_nodes_at_a_time];        // N; above 0 where something acts
 };
 
 // Sums over a block.
@@ -77,22 +82,31 @@ struct PlyPassSums {
 };
 
 // `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
-using PlyPass = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes);
+using PlyPass = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes,
+                            PlyPassForces& forces);
+
+// Nodes whose forces lie together, x, y, z and nothing, so that one is added with one instruction; `touched` has a flag
+// for each so many of them.
+inline constexpr int ply_segment = 64;
+// Adds what the corners take, of the first `count` nodes.
+using PlyGiveBack = void(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
+                         double* into, char* touched);
 
 // Normals of nodes between their neighbours in four directions: n = (east - west) x (north - south).
 using PlyNormals = void(int count, const double* const (&west)[3], const double* const (&east)[3],
                         const double* const (&south)[3], const double* const (&north)[3], double* const (&normal)[3]);
 
-// into[i] += from[i]; from[i] = 0.
-using PlyFold = void(int count, double* from, double* into);
+// Adds such forces to one array for each component, and leaves zeros.
+using PlyFold = void(int count, double* from, double* const (&into)[3]);
 
-// mm/s; greatest speed where inverse_mass > 0.
-using PlySpeed = double(int count, const double* mass, const double* const (&v)[3]);
+// mm/s; greatest speed.
+using PlySpeed = double(int count, const double* const (&v)[3]);
 
 struct PlyLoops {
   PlyPass* springs;  // Coulomb, springs
   PlyPass* tables;   // with tables of shear or pressure, either or both
   PlyNormals* normals;
+  PlyGiveBack* give_back;
   PlyFold* fold;
   PlySpeed* speed;
 };

@@ -11,8 +11,8 @@ namespace weaveform {
 namespace {
 
 // Plies stacked by their thickness touch without pressing, whatever rounding makes of their places.
-constexpr double touching = 1e-9;  // mm
-constexpr int most_intervals = 4096;
+constexpr double touching = 1e-9;                             // mm
+constexpr int most_intervals = 4096, least_intervals = 1024;  // of a table
 
 using Points = std::vector<std::array<double, 2>>;
 
@@ -26,11 +26,19 @@ double value_of(const Points& points, double x) {
   return points.back()[1];
 }
 
-// Intervals no longer than the points' shortest, so that evenly spaced points are met.
-int interval_count(const Points& points, double end) {
+// From 0 to `end` or a little further.
+struct Intervals {
+  int count = 0;
+  double step = 0.0;  // mm
+};
+
+// A whole number of them fits between evenly spaced points, which are met then.
+Intervals intervals_of(const Points& points, double end, int least) {
   double shortest = end;
   for (std::size_t k = 1; k < points.size(); ++k) shortest = std::min(shortest, points[k][0] - points[k - 1][0]);
-  return std::clamp(static_cast<int>(std::ceil(end / shortest - 1e-6)), 1, most_intervals);
+  shortest = std::max(shortest, end / most_intervals);
+  const double step = shortest / std::ceil(shortest * least / end);
+  return {static_cast<int>(std::ceil(end / step - 1e-6)), step};
 }
 
 std::string wrong_points(const char* what, const Points& points) {
@@ -80,22 +88,19 @@ double node_stiffness(const TouchingPly& own, const TouchingPly& other, double f
 void make_tables(const PairLaw& law, const TouchingPly& a, const TouchingPly& b, double frequency, PairTables& tables) {
   if (!law.shear_law.empty()) {
     const double end = std::max(law.shear_law.back()[0], 1e-6);
-    const int count = interval_count(law.shear_law, end);
-    for (int k = 0; k <= count; ++k) tables.shear.push_back(value_of(law.shear_law, end * k / count));
-    tables.shear_table = {.value = tables.shear.data(), .per_unit = count / end, .intervals = count, .last_slope = 0.0};
+    const auto [count, step] = intervals_of(law.shear_law, end, 1);
+    for (int k = 0; k <= count; ++k) tables.shear.push_back(value_of(law.shear_law, step * k));
+    tables.shear_table = {.value = tables.shear.data(), .per_unit = 1.0 / step, .intervals = count, .last_slope = 0.0};
   }
   if (law.compaction.empty()) return;
   Points points = law.compaction;
   if (points.front()[0] > 0.0) points.insert(points.begin(), {0.0, 0.0});
   const double end = std::max(points.back()[0], reach_of(a, b));
-  if (end > points.back()[0]) {  // goes on with its last slope
-    const auto& last = points.back();
-    const auto& before = points[points.size() - 2];
-    const double slope = (last[1] - before[1]) / (last[0] - before[0]);
-    points.push_back({end, last[1] + slope * (end - last[0])});
-  }
-  const int count = std::max(interval_count(points, end), most_intervals / 4);
-  const double step = end / count, most = spring_stiffness(a, b, frequency);
+  const auto [count, step] = intervals_of(points, end, least_intervals);
+  const auto last_point = points.back(), before_last = points[points.size() - 2];
+  const double slope = (last_point[1] - before_last[1]) / (last_point[0] - before_last[0]);
+  points.push_back({last_point[0] + 2.0 * end, last_point[1] + 2.0 * slope * end});  // goes on with its last slope
+  const double most = spring_stiffness(a, b, frequency);
   tables.softened_from = end;
   tables.pressure.push_back(value_of(points, 0.0));
   tables.pressure_energy.push_back(0.0);
@@ -110,9 +115,9 @@ void make_tables(const PairLaw& law, const TouchingPly& a, const TouchingPly& b,
   }
   const double last = tables.pressure.back() - tables.pressure[count - 1];
   tables.pressure_table = {
-      .value = tables.pressure.data(), .per_unit = count / end, .intervals = count, .last_slope = last};
+      .value = tables.pressure.data(), .per_unit = 1.0 / step, .intervals = count, .last_slope = last};
   tables.energy_table = {.value = tables.pressure_energy.data(),
-                         .per_unit = count / end,
+                         .per_unit = 1.0 / step,
                          .intervals = count,
                          .last_slope = tables.pressure_energy.back() - tables.pressure_energy[count - 1]};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <string>
 #include <vector>
@@ -35,7 +36,14 @@ struct PlyContact::Parts {
     std::vector<PlyReturn> back;  // of each pass, 2 * pair + side
   };
 
+  // Segments of a ply that one thread adds to at a time, and the chunks and passes that give to it.
+  struct Part {
+    int ply = 0, first_segment = 0, end_segment = 0;
+    std::vector<std::array<int, 2>> from;
+  };
+
   void make_pair(int lower, int upper, const PairLaw& law, double frequency, std::vector<std::string>& complaints);
+  void list_returns();
   void look_at_start(Pair& its, std::vector<std::string>& complaints);
   void sleep_or_wake(Pair& its, double gap);
   void count_ways(double step_made);
@@ -47,6 +55,7 @@ struct PlyContact::Parts {
   std::deque<PlyFace> face;
   std::deque<Pair> pair;
   std::vector<Chunk> chunk;
+  std::vector<Part> part;
   bool started = false;
   double time = 0.0;  // s; of the last add_forces
   double wall_s = 0.0;

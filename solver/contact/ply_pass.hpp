@@ -14,38 +14,39 @@
 #include "solver/contact/ply_face.hpp"
 #include "solver/contact/ply_kernel.hpp"
 #include "solver/contact/ply_surface.hpp"
+#include "solver/state/contact_state.hpp"
 
 namespace weaveform {
 
-// What the nodes of a chunk give back: zero but from `begin` to `end`.
+// What the nodes of a chunk give back, per packed node of the other ply (ply_kernel.hpp, PlyGiveBack): zero outside the
+// touched segments. Empty until something touches.
 struct PlyReturn {
-  Components force;  // N; per packed node of the other ply; empty until something touches
-  int begin = 0, end = 0;
+  Doubles force;
+  std::vector<char> touched;
 };
 
 class PlyPassState {
 public:
-  // `law`'s tables must outlive the pass.
-  PlyPassState(const PlyFace& own, PlyFace& other, const PlyPassLaw& law, double frequency);
+  // `law`'s tables and both plies must outlive the pass.
+  PlyPassState(const PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency);
 
   // Finds every node's foot, from nothing. mm: the least gap between the two, negative inside; with `depths` (per packed
   // node) each one's depth, -infinity where there is none.
   double search(std::vector<double>* depths = nullptr);
-  // Gives up what search and look need: a pass that sleeps has no arrays.
-  void forget();
+  void wake();    // arrays without content, to be read from an archive
+  void forget();  // a pass that sleeps has no arrays
   [[nodiscard]] bool awake() const { return !facet_.empty(); }
-  void wake();  // arrays without content, to be read from an archive
 
-  // Whether the block can touch now; called before look for each of its blocks at each step.
+  // Whether the block can touch now.
   [[nodiscard]] bool is_near(int block) const { return far_[block] <= own_.way + other_.way; }
   // Forces of a block: added to own state().force, and to `back`. `inverse_time` as in ply_kernel.hpp.
-  void look(int block, const BlockNormals& normals, double inverse_time, bool look_for_lost, PlyReturn& back);
+  void look(int block, const BlockFrame& frame, double inverse_time, bool look_for_lost, PlyReturn& back);
   void pass_over(int block) { measured_[block] = 0; }
 
   // Of all blocks that touched in the last step, in order.
   [[nodiscard]] PlyPassSums sums() const;
   [[nodiscard]] bool any_clear() const;
-  // The node that is deepest now.
+  // The packed node that is deepest now.
   [[nodiscard]] int deepest() const;
 
   [[nodiscard]] const PlyFace& own() const { return own_; }
@@ -55,49 +56,61 @@ public:
   // Row sums of the springs, N/mm, per packed node of either ply; `stiffest` (MPa/mm) of a measured pressure.
   void add_stiffness_bound(double fabric_frequency, double stiffest, Doubles& own_bound, Doubles& other_bound) const;
 
-  // At a node, for output.
-  [[nodiscard]] double path(int node) const { return path_[node]; }
-  [[nodiscard]] Vec3 slip(int node) const;  // mm; zero without a foot
+  // At a lane, for output.
+  [[nodiscard]] double path(int lane) const { return path_[lane]; }
+  [[nodiscard]] Vec3 slip(int lane) const;  // mm; zero without a foot
   struct Press {
     double normal = 0.0, tangential = 0.0;  // N
     double pressure = 0.0;                  // MPa
     FrictionState friction = FrictionState::none;
   };
-  [[nodiscard]] Press press(int node) const;
+  [[nodiscard]] Press press(int lane) const;
 
   void archive(Archive& archive);
 
 private:
-  void turn_on(int node, const SurfacePlace& place, double depth);
-  void turn_off(int node);
-  void set_corners(int node);
-  [[nodiscard]] double depth_at(int node, const SurfacePlace& place, const Vec3& normal) const;
-  [[nodiscard]] SurfacePlace place_of(int node) const { return {facet_[node], place_[0][node], place_[1][node]}; }
+  struct Frame {
+    Vec3 s1, s2;  // mm; S_xi, S_eta
+  };
+  [[nodiscard]] Frame frame_at(const SurfacePlace& place) const;
+  [[nodiscard]] std::vector<Doubles*> numbers();
+  void turn_on(int lane, const SurfacePlace& place, double depth);
+  void turn_off(int lane);
+  void put(int lane, const SurfacePlace& place);
+  void set_corner(int lane);
+  [[nodiscard]] double depth_at(int lane, const SurfacePlace& place, const Vec3& normal) const;
+  [[nodiscard]] SurfacePlace place_of(int lane) const { return {facet_[lane], place_[0][lane], place_[1][lane]}; }
+  [[nodiscard]] SurfacePlace start_of_search(int lane, const SurfacePlace& before) const;
+  void count_off(int block);
   void move_feet(int block);
   void find_again(int block);
-  [[nodiscard]] double clearance(int block, double depth) const;
-  void give_back(int block, const double (&back)[4][3][ply_nodes_at_a_time], PlyReturn& into) const;
   void find_lost(int block);
+  [[nodiscard]] double clearance(int block, double depth) const;
+  [[nodiscard]] PlyPassNodes nodes_of(int block, const BlockFrame& frame);
+  void look_at_triangles(int block, const BlockFrame& frame, double inverse_time, PlyPassSums& sums, PlyReturn& back);
+  void add(const PlyPassNodes& nodes, int first, int count, const PlyPassForces& forces, PlyReturn& back);
 
   const PlyFace& own_;
-  PlyFace& other_;
+  const PlyFace& other_;
   PlyPassLaw law_;
   double frequency_;
   double touch_;  // mm; depth from which something acts
 
+  // per lane
   Doubles stiffness_;  // N/mm; 0 where no node is, or its foot is off the surface
+  Doubles on_quads_;   // N/mm; the same, but 0 on triangles, which are looked at one by one
   std::vector<int> facet_;
-  std::array<std::vector<int>, 4> corner_;
-  std::array<Doubles, 2> place_, anchor_;
-  Doubles depth_;
+  std::vector<long> corner_;
+  std::array<Doubles, 2> place_, anchor_, origin_;
+  Doubles depth_, path_;
   Components drag_;
-  Doubles path_, normal_, tangential_;
   std::vector<int> origin_facet_;
-  std::array<Doubles, 2> origin_;
 
-  std::vector<double> far_;  // mm; per block: how far the plies' ways may grow until it can touch
+  // per block
+  std::vector<double> far_;  // mm; how far the plies' ways may grow until it can touch
   std::vector<char> clear_, measured_;
-  std::vector<int> off_;  // nodes of the block whose feet are off
+  std::vector<int> off_;        // nodes whose feet are off
+  std::vector<int> triangles_;  // nodes whose feet are on triangles
   std::vector<PlyPassSums> sums_;
 };
 
