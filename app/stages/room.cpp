@@ -164,18 +164,19 @@ std::string describe(const ExpectedRun& expected) {
       amount(expected.memory));
 }
 
-void require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes) {
+double require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes, double besides) {
   const ExpectedSize size = expected_size(scene.blank, card, outline);
-  const double bytes = expected_memory(scene, size);
+  const double bytes = besides + expected_memory(scene, size) - (besides > 0.0 ? program_bytes : 0.0);
   const bool too_many = !(size.crossings < most_crossings && size.cells < most_crossings);
   const double most = scene.analysis.most_memory ? 1e9 * *scene.analysis.most_memory : available_memory();
-  if (!too_many && (yes || bytes <= most)) return;
-  throw InputError(
-      fmt::format("{}about {:.3g} cells would take {} of memory, {}: {}{}", where(scene), size.cells, amount(bytes),
-                  too_many ? "and more crossings than can be numbered"
-                           : fmt::format("more than the {} {}", amount(most),
-                                         scene.analysis.most_memory ? "of analysis.most_memory" : "available"),
-                  size_cause(size), too_many ? "" : ", or allow it with --yes or analysis.most_memory"));
+  if (!too_many && (yes || bytes <= most)) return bytes;
+  throw InputError(fmt::format("{}about {:.3g} cells would take {} of memory{}, {}: {}{}", where(scene), size.cells,
+                               amount(bytes), besides > 0.0 ? " with the plies before" : "",
+                               too_many
+                                   ? "and more crossings than can be numbered"
+                                   : fmt::format("more than the {} {}", amount(most),
+                                                 scene.analysis.most_memory ? "of analysis.most_memory" : "available"),
+                               size_cause(size), too_many ? "" : ", or allow it with --yes or analysis.most_memory"));
 }
 
 void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes) {

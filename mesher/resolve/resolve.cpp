@@ -86,7 +86,7 @@ Resolved resolve(const fs::path& scene_file, const std::vector<std::string>& ove
 }
 
 Resolved resolve_around(Scene scene, Card card, Mesh mesh) {
-  Resolved model{std::move(scene), std::move(card), {}, {}, std::move(mesh), {}, {}, {}};
+  Resolved model{std::move(scene), std::move(card), {}, {}, std::move(mesh), {}};
   if (!model.scene.ply.empty()) {
     resolve_stack_around(model);
     return model;

@@ -27,8 +27,8 @@ struct Resolved {
   Symmetry symmetry;
   // Of a stack, bottom to top, each with its own scene (mesher/scene/ply_scene.hpp) and the tools at its own distance;
   // `mesh` is then all of theirs (mesher/mesh/stack.hpp), card and outline those of the lowest. Empty: one ply, this.
-  std::vector<Resolved> ply;
-  std::vector<ResolvedPair> pair;  // of plies i < k: pair_number(i, k)
+  std::vector<Resolved> ply = {};
+  std::vector<ResolvedPair> pair = {};  // of plies i < k: pair_number(i, k)
   [[nodiscard]] std::size_t plies() const { return ply.empty() ? 1 : ply.size(); }
   [[nodiscard]] const Resolved& of_ply(std::size_t number) const { return ply.empty() ? *this : ply[number]; }
   [[nodiscard]] std::array<double, 2> extent() const {  // mm; of a stack, of its lowest ply

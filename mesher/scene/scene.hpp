@@ -100,9 +100,9 @@ struct GripSpec {
   std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax in the blank's frame (centre = origin)
   double travel = 0.0;                       // mm; along direction, smooth-step over the duration
   std::optional<std::array<double, 3>>
-      direction;                   // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
-  std::vector<Component> free;     // components left free, blank's frame
-  std::vector<std::string> plies;  // of a stack, that it holds; none: all that have something there
+      direction;                        // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
+  std::vector<Component> free;          // components left free, blank's frame
+  std::vector<std::string> plies = {};  // of a stack, that it holds; none: all that have something there
   bool operator==(const GripSpec&) const = default;
 };
 
@@ -188,8 +188,8 @@ struct MeasureSpec {
   std::string name;
   std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax, blank frame, initial configuration
   std::optional<std::array<double, 4>>
-      relative_box;  // the same in units of the blank's width (size[0]), so that it follows the size
-  std::string ply;   // of a stack, whose cells it looks at; none: all that have cells there
+      relative_box;      // the same in units of the blank's width (size[0]), so that it follows the size
+  std::string ply = {};  // of a stack, whose cells it looks at; none: all that have cells there
   bool operator==(const MeasureSpec&) const = default;
 };
 

@@ -28,8 +28,8 @@ struct Fields {
   std::vector<bool> folded;          // per cell: area vector turned against the cell's neighbours' (see folded_cells)
   std::vector<double> yarn_strain;   // 1; true strain per yarn element
   std::vector<double> yarn_force;    // N; axial, tension positive
-  std::optional<ContactState> contact;     // per node; when the scene has tools. Not from positions alone: the solver's
-  std::optional<PlyContactState> between;  // per node; of a stack. Likewise
+  std::optional<ContactState> contact;  // per node; when the scene has tools. Not from positions alone: the solver's
+  std::optional<PlyContactState> between = {};  // per node; of a stack. Likewise
 };
 
 // The fields of the next ply of a stack, of the same time, behind those of the plies before.

@@ -81,7 +81,7 @@ struct SolveStatistics {
   double contact_damping_work_mJ = 0.0;   // part of damping_work_mJ; contact dampers and guides of pushed tools
   double contact_wall_s = 0.0;            // part of wall_s
   int threads = 1;
-  std::vector<PairStatistics> pairs;  // of a stack
+  std::vector<PairStatistics> pairs = {};  // of a stack
 };
 
 // Writes frames as they come; result.pvd is renewed after each, so an interrupted run leaves a readable index.

@@ -13,7 +13,7 @@
 namespace weaveform {
 namespace {
 
-const std::string blank = "[blank]\nsize = [60, 60]\nyarn_angle = 0\ncoarsening = 4\nposition = [1, 2, 3]\n";
+const std::string blank = "[blank]\nsize = [100, 100]\nyarn_angle = 0\ncoarsening = 4\nposition = [1, 2, 3]\n";
 const std::string plies = "[[ply]]\nname = \"lower\"\n[[ply]]\nname = \"upper\"\nyarn_angle = 45\n";
 
 class Stack : public testing::Test {
@@ -79,13 +79,14 @@ axis = [0, 0, -1]
 }
 
 TEST_F(Stack, GripsHoldThePliesTheyNameOrWhateverIsThere) {
-  const Resolved model = resolved(blank + plies + R"(size = [20, 20]
+  const Resolved model = resolved(blank + plies + R"(size = [25, 25]
+coarsening = 1
 [[grip]]
 name = "both"
-box = [-8, -8, 8, 8]
+box = [-11, -11, 11, 11]
 [[grip]]
 name = "rim"
-box = [20, -30, 30, 30]
+box = [35, -50, 50, 50]
 [[grip]]
 name = "one"
 edge = "left"
@@ -99,7 +100,7 @@ plies = ["upper"]
   EXPECT_EQ(names(0), (std::vector<std::string>{"both", "rim", "outline"}));
   EXPECT_EQ(names(1), (std::vector<std::string>{"both", "one", "outline"}));
   EXPECT_NE(
-      complaint(blank + plies + "[[grip]]\nname = \"off\"\nbox = [50, 50, 60, 60]\n").find("grip 'off' holds no node"),
+      complaint(blank + plies + "[[grip]]\nname = \"off\"\nbox = [80, 80, 90, 90]\n").find("grip 'off' holds no node"),
       std::string::npos);
 }
 
@@ -131,7 +132,7 @@ TEST_F(Stack, ComplaintsNameThePly) {
   EXPECT_NE(wrong.find("ply 'upper': "), std::string::npos) << wrong;
   EXPECT_EQ(wrong.find("ply 'lower'"), std::string::npos) << wrong;
   const std::string both = complaint(
-      "[blank]\nsize = [60, 60]\n[[ply]]\nname = \"a\"\ncoarsening = 50\n[[ply]]\nname = \"b\"\ncoarsening = 60\n");
+      "[blank]\nsize = [60, 60]\n[[ply]]\nname = \"a\"\ncoarsening = 10\n[[ply]]\nname = \"b\"\ncoarsening = 11\n");
   EXPECT_NE(both.find("ply 'a': blank."), std::string::npos) << both;
   EXPECT_NE(both.find("ply 'b': blank."), std::string::npos) << both;
 }
