@@ -175,6 +175,7 @@ void PlyContact::Parts::look(double inverse_time, bool look_for_lost) {
     BlockFrame frame;
     for (int b = its.first_block; b < its.end_block; ++b) {
       bool with_frame = false;
+      face[its.ply].clear_levers(b);
       for (const int p : awake) {
         if (!pass(p).is_near(b)) {
           pass(p).pass_over(b);
@@ -206,7 +207,12 @@ void PlyContact::Parts::fold() {
         loops.fold(count, back.force.data() + 4 * static_cast<std::size_t>(first), into);
       }
     }
+    if (face[ply].has_levers())
+      face[ply].take_levers(part[p].first_segment * ply_segment,
+                            std::min(part[p].end_segment * ply_segment, face[ply].nodes()));
   });
+  for (auto& one : face)
+    if (one.has_levers()) one.take_irregular_levers();
 }
 
 void PlyContact::Parts::read(Pair& its) const {

@@ -34,7 +34,7 @@ public:
   }
   void make_step() {
     if (world_.steps() % 500 == 0 && world_.steps() > 0) world_.renew_step();
-    const bool looks = world_.steps() % 1000 == 0;
+    const bool looks = world_.steps() % 1000 == 0 && world_.steps() > 0;
     if (looks) world_.look_at_stored_energy();
     world_.advance(false);
     if (looks) {
