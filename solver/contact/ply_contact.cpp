@@ -38,6 +38,7 @@ PlyContact::PlyContact(const PlyContactSetup& setup) : parts_(std::make_unique<P
       parts.chunk.push_back({.ply = static_cast<int>(k),
                              .first_block = static_cast<int>(static_cast<long>(blocks) * c / chunks),
                              .end_block = static_cast<int>(static_cast<long>(blocks) * (c + 1) / chunks),
+                             .pass = {},
                              .back = {}});
   }
   std::vector<std::string> complaints;
@@ -46,7 +47,6 @@ PlyContact::PlyContact(const PlyContactSetup& setup) : parts_(std::make_unique<P
     for (int upper = lower + 1; upper < plies; ++upper)
       parts.make_pair(lower, upper, setup.law(lower, upper), setup.frequency, complaints);
   if (!complaints.empty()) throw InputError(complaints);
-  for (auto& chunk : parts.chunk) chunk.back.resize(2 * parts.pair.size());
   parts.list_returns();
   for (auto& pair : parts.pair) parts.look_at_start(pair, complaints);
   if (!complaints.empty()) throw InputError(complaints);
@@ -73,16 +73,20 @@ void PlyContact::Parts::make_pair(int lower, int upper, const PairLaw& law, doub
                          frequency);
 }
 
-// Who gives to which part of which ply.
+// Whose passes a chunk has, and who gives to which part of which ply.
 void PlyContact::Parts::list_returns() {
+  const int passes = 2 * static_cast<int>(pair.size());
+  for (auto& its : chunk) {
+    its.back.resize(passes);
+    for (int p = 0; p < passes; ++p)
+      if (&pass(p).own() == &face[its.ply]) its.pass.push_back(p);
+  }
   for (int k = 0; k < static_cast<int>(face.size()); ++k) {
-    const int segments = (face[k].nodes() + ply_segment - 1) / ply_segment;
     Part made = {.ply = k, .first_segment = 0, .end_segment = 0, .from = {}};
     for (int c = 0; c < static_cast<int>(chunk.size()); ++c)
-      for (std::size_t p = 0; p < pair.size(); ++p)
-        for (std::size_t side = 0; side < 2; ++side)
-          if (&pair[p].pass[side].other() == &face[k] && &pair[p].pass[side].own() == &face[chunk[c].ply])
-            made.from.push_back({c, static_cast<int>(2 * p + side)});
+      for (const int p : chunk[c].pass)
+        if (&pass(p).other() == &face[k]) made.from.push_back({c, p});
+    const int segments = (face[k].nodes() + ply_segment - 1) / ply_segment;
     for (int s = 0; s < segments; s += segments_to_fold) {
       made.first_segment = s;
       made.end_segment = std::min(s + segments_to_fold, segments);
@@ -165,21 +169,22 @@ void PlyContact::Parts::count_ways(double step_made) {
 void PlyContact::Parts::look(double inverse_time, bool look_for_lost) {
   team.run(static_cast<int>(chunk.size()), [&](int c) {
     Chunk& its = chunk[c];
+    std::vector<int> awake;
+    for (const int p : its.pass)
+      if (pass(p).awake()) awake.push_back(p);
+    BlockFrame frame;
     for (int b = its.first_block; b < its.end_block; ++b) {
-      BlockFrame frame;
       bool with_frame = false;
-      for (std::size_t k = 0; k < pair.size(); ++k)
-        for (std::size_t side = 0; side < 2; ++side) {
-          PlyPassState& pass = pair[k].pass[side];
-          if (&pass.own() != &face[its.ply] || !pass.awake()) continue;
-          if (!pass.is_near(b)) {
-            pass.pass_over(b);
-            continue;
-          }
-          if (!with_frame) face[its.ply].frame(b, frame);
-          with_frame = true;
-          pass.look(b, frame, inverse_time, look_for_lost, its.back[2 * k + side]);
+      face[its.ply].clear_levers(b);
+      for (const int p : awake) {
+        if (!pass(p).is_near(b)) {
+          pass(p).pass_over(b);
+          continue;
         }
+        if (!with_frame) face[its.ply].frame(b, frame);
+        with_frame = true;
+        pass(p).look(b, frame, inverse_time, look_for_lost, its.back[p]);
+      }
     }
   });
 }
@@ -191,8 +196,8 @@ void PlyContact::Parts::fold() {
     const int ply = part[p].ply;
     double* const force[3] = {face[ply].state().force[0].data(), face[ply].state().force[1].data(),
                               face[ply].state().force[2].data()};
-    for (const auto& [c, pass] : part[p].from) {
-      PlyReturn& back = chunk[c].back[pass];
+    for (const auto& [c, from] : part[p].from) {
+      PlyReturn& back = chunk[c].back[from];
       if (back.force.empty()) continue;
       for (int s = part[p].first_segment; s < part[p].end_segment; ++s) {
         if (back.touched[s] == 0) continue;
@@ -202,7 +207,12 @@ void PlyContact::Parts::fold() {
         loops.fold(count, back.force.data() + 4 * static_cast<std::size_t>(first), into);
       }
     }
+    if (face[ply].has_levers())
+      face[ply].take_levers(part[p].first_segment * ply_segment,
+                            std::min(part[p].end_segment * ply_segment, face[ply].nodes()));
   });
+  for (auto& one : face)
+    if (one.has_levers()) one.take_irregular_levers();
 }
 
 void PlyContact::Parts::read(Pair& its) const {

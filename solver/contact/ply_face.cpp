@@ -75,6 +75,9 @@ void PlyFace::find_irregular() {
         irregular_.push_back(n);
   }
   first_irregular_.push_back(static_cast<int>(irregular_.size()));
+  irregular_lever_.assign(irregular_.size(), {});
+  has_levers_.assign(blocks_.size(), 0);
+  for (auto& component : lever_) component.assign(static_cast<std::size_t>(nodes()) + 2 * stride, 0.0);
 }
 
 Vec3 PlyFace::position(int node) const {
@@ -82,12 +85,24 @@ Vec3 PlyFace::position(int node) const {
   return {x[0][node], x[1][node], x[2][node]};
 }
 
-// In a mirror plane lie the normals of its nodes, too.
-Vec3 PlyFace::normal(int node) const {
+// The image of what lies on one side of a plane lies on the other, and what is between them does not lean.
+std::array<Vec3, 2> PlyFace::between_neighbours(int node) const {
   const auto& arm = arms_[node].arm;
-  Vec3 n = cross(minus(position(arm[1]), position(arm[0])), minus(position(arm[3]), position(arm[2])));
-  for (const auto& plane : flat_[node]) n = minus(n, scaled(plane, dot(n, plane)));
-  return n;
+  std::array<Vec3, 2> way = {minus(position(arm[1]), position(arm[0])), minus(position(arm[3]), position(arm[2]))};
+  for (const auto& plane : flat_[node]) {
+    // along the plane or across it, whichever the yarn is
+    for (auto& one : way) {
+      const double across = dot(one, plane);
+      const Vec3 flat = minus(one, scaled(plane, across));
+      one = across * across > dot(flat, flat) ? scaled(plane, across) : flat;
+    }
+  }
+  return way;
+}
+
+Vec3 PlyFace::normal(int node) const {
+  const auto [a, b] = between_neighbours(node);
+  return cross(a, b);
 }
 
 void PlyFace::frame(int number, BlockFrame& frame) const {
@@ -100,20 +115,70 @@ void PlyFace::frame(int number, BlockFrame& frame) const {
       for (int i = 0; i < block.lanes; ++i) frame.copy[c][i] = frame.x[c][std::min(i, block.count - 1)];
       frame.x[c] = frame.copy[c];
     }
-  if (first >= stride && first + block.lanes + stride <= nodes()) {
-    const double* const west[3] = {x[0].data() + first - 1, x[1].data() + first - 1, x[2].data() + first - 1};
-    const double* const east[3] = {west[0] + 2, west[1] + 2, west[2] + 2};
-    const double* const south[3] = {west[0] + 1 - stride, west[1] + 1 - stride, west[2] + 1 - stride};
-    const double* const north[3] = {west[0] + 1 + stride, west[1] + 1 + stride, west[2] + 1 + stride};
-    double* const n[3] = {frame.normal[0], frame.normal[1], frame.normal[2]};
-    loops_of_plies().normals(block.count, west, east, south, north, n);
+  const bool regular = first >= stride && first + block.lanes + stride <= nodes();
+  for (int c = 0; c < 3; ++c) {
+    const double* const at = x[c].data() + first;
+    if (regular) {
+      loops_of_plies().way(block.count, at - 1, at + 1, frame.a[c]);
+      loops_of_plies().way(block.count, at - stride, at + stride, frame.b[c]);
+    }
+    for (int i = block.count; i < block.lanes; ++i) frame.a[c][i] = frame.b[c][i] = 0.0;
   }
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k) {
-    const Vec3 n = normal(irregular_[k]);
-    for (int c = 0; c < 3; ++c) frame.normal[c][irregular_[k] - first] = n[c];
+    const auto [a, b] = between_neighbours(irregular_[k]);
+    for (int c = 0; c < 3; ++c) {
+      frame.a[c][irregular_[k] - first] = a[c];
+      frame.b[c][irregular_[k] - first] = b[c];
+    }
   }
-  for (int c = 0; c < 3; ++c)
-    for (int i = block.count; i < block.lanes; ++i) frame.normal[c][i] = 0.0;
+}
+
+void PlyFace::clear_levers(int number) {
+  if (has_levers_[number] == 0) return;
+  has_levers_[number] = 0;
+  const PlyBlock& block = blocks_[number];
+  const int stride = ply_.packed().stride;
+  for (auto& component : lever_) std::fill_n(component.begin() + stride + block.first, block.count, 0.0);
+  for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k) irregular_lever_[k].fill(0.0);
+}
+
+void PlyFace::add_levers(int number, int first, int count, const double (&lever)[6][ply_nodes_at_a_time]) {
+  has_levers_[number] = 1;
+  const int stride = ply_.packed().stride;
+  for (std::size_t c = 0; c < 6; ++c) {
+    double* into = lever_[c].data() + stride + first;
+    for (int i = 0; i < count; ++i) into[i] += lever[c][i];
+  }
+  for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k)
+    for (std::size_t c = 0; c < 6; ++c) {
+      double& there = lever_[c][stride + irregular_[k]];
+      irregular_lever_[k][c] += there;
+      there = 0.0;
+    }
+}
+
+bool PlyFace::has_levers() const {
+  return std::find(has_levers_.begin(), has_levers_.end(), char{1}) != has_levers_.end();
+}
+
+void PlyFace::take_levers(int first, int end) {
+  const int stride = ply_.packed().stride;
+  for (std::size_t c = 0; c < 3; ++c)
+    loops_of_plies().lever(end - first, stride, lever_[c].data() + stride + first,
+                           lever_[c + 3].data() + stride + first, state().force[c].data() + first);
+}
+
+void PlyFace::take_irregular_levers() {
+  auto& force = state().force;
+  for (std::size_t k = 0; k < irregular_.size(); ++k) {
+    const auto& arm = arms_[irregular_[k]].arm;
+    for (std::size_t c = 0; c < 3; ++c) {
+      force[c][arm[1]] += irregular_lever_[k][c];
+      force[c][arm[0]] -= irregular_lever_[k][c];
+      force[c][arm[3]] += irregular_lever_[k][c + 3];
+      force[c][arm[2]] -= irregular_lever_[k][c + 3];
+    }
+  }
 }
 
 double PlyFace::speed(int block) const {

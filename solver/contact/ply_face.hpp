@@ -20,10 +20,10 @@ struct PlyBlock {
   int at = 0, lanes = 0;
 };
 
-// Places and normals of the nodes of a block, lanes beyond them 0.
+// Places of the nodes of a block, and what lies between their neighbours (ply_kernel.hpp); lanes beyond them 0.
 struct BlockFrame {
   const double* x[3];  // mm
-  alignas(64) double normal[3][ply_nodes_at_a_time];
+  alignas(64) double a[3][ply_nodes_at_a_time], b[3][ply_nodes_at_a_time];
   alignas(64) double copy[3][ply_nodes_at_a_time];  // of places, where the state's own array ends too early
 };
 
@@ -48,9 +48,19 @@ public:
 
   [[nodiscard]] Vec3 position(int packed) const;
   [[nodiscard]] Vec3 normal(int packed) const;  // of any length
+  // a and b; in a mirror plane as both sides have them.
+  [[nodiscard]] std::array<Vec3, 2> between_neighbours(int packed) const;
   void frame(int block, BlockFrame& frame) const;
   // mm/s; greatest speed of the block's nodes.
   [[nodiscard]] double speed(int block) const;
+
+  // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are cleared, added to by its passes, and
+  // when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
+  void clear_levers(int block);
+  void add_levers(int block, int first, int count, const double (&lever)[6][ply_nodes_at_a_time]);
+  [[nodiscard]] bool has_levers() const;
+  void take_levers(int first, int end);
+  void take_irregular_levers();
 
   double way = 0.0;  // mm; no node has moved further since the start
 
@@ -64,6 +74,9 @@ private:
   std::vector<NodeArms> arms_;
   std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
   std::vector<std::vector<Vec3>> flat_;           // per packed node in a mirror plane: the planes' normals
+  std::array<Doubles, 6> lever_;                  // N; a row before and behind the packed nodes', 0 at irregular nodes
+  std::vector<std::array<double, 6>> irregular_lever_;  // N
+  std::vector<char> has_levers_;                        // per block
   std::vector<PlyBlock> blocks_;
   std::vector<int> lane_of_, node_of_;
   Doubles mass_, area_;

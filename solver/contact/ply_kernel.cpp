@@ -53,14 +53,23 @@ struct Feet {
   alignas(64) double r[3][ply_nodes_at_a_time];                                // S_xi, S_eta, x - y; mm
   alignas(64) double square[ply_nodes_at_a_time], along[ply_nodes_at_a_time];  // r.r, r.n
   alignas(64) double meets[ply_nodes_at_a_time];  // 1, or 0 where the normals part by 90 degrees
-  alignas(64) double across[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // F = across r + T
+  alignas(64) double normal[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // N; N, T's q
 };
+
+WEAVEFORM_INLINE void normal_of(const PlyPassNodes& nodes, int i, double (&n)[3]) {
+  const double a[3] = {nodes.a[0][i], nodes.a[1][i], nodes.a[2][i]},
+               b[3] = {nodes.b[0][i], nodes.b[1][i], nodes.b[2][i]};
+  n[0] = a[1] * b[2] - a[2] * b[1];
+  n[1] = a[2] * b[0] - a[0] * b[2];
+  n[2] = a[0] * b[1] - a[1] * b[0];
+}
 
 // r = dxi S_xi + deta S_eta + s n, by Cramer's rule.
 WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes, Feet& feet, int i) {
   const long corner = nodes.corner[i];
   const double xi = nodes.place[0][i], eta = nodes.place[1][i];
   double e1[3], e2[3], e3[3], n[3], from[3], r[3], s1[3], s2[3];
+  normal_of(nodes, i, n);
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
     const double* const origin = nodes.surface[c];
@@ -73,7 +82,6 @@ WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes,
     s1[c] = e1[c] + eta * e3[c];
     s2[c] = e2[c] + xi * e3[c];
     r[c] = from[c] - xi * e1[c] - eta * s2[c];
-    n[c] = nodes.normal[c][i];
   }
   const double a[3] = {s2[1] * n[2] - s2[2] * n[1], s2[2] * n[0] - s2[0] * n[2], s2[0] * n[1] - s2[1] * n[0]};
   const double b[3] = {n[1] * s1[2] - n[2] * s1[1], n[2] * s1[0] - n[0] * s1[2], n[0] * s1[1] - n[1] * s1[0]};
@@ -139,8 +147,7 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   const double inverse_distance = inverse_root(feet.square[i] + least_square);
   const double guess = feet.square[i] * inverse_distance;
   const double distance = guess + 0.5 * (feet.square[i] - guess * guess) * inverse_distance;
-  const double side = law.side * feet.along[i] >= 0.0 ? 1.0 : -1.0;  // beyond the surface r points the other way
-  const double depth = law.reach - side * distance;
+  const double depth = law.reach - (law.side * feet.along[i] >= 0.0 ? distance : -distance);
   const double given = nodes.stiffness[i], k = feet.meets[i] * given, area = feet.meets[i] * law.share * nodes.area[i];
   const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
   const double sinking = depth - nodes.depth[i];  // over the step just made
@@ -172,7 +179,7 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
     }
   }
   const double cut = s_size > limit ? limit * s_inverse : 1.0;
-  feet.across[i] = side * normal.force * inverse_distance;
+  feet.normal[i] = law.side * normal.force;
   feet.q1[i] = -cut * q1;
   feet.q2[i] = -cut * q2;
   forces.acts[i] = normal.force + cut * s_size;
@@ -195,7 +202,7 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   // the spring's slip (1 - cut) t against half its force before, k_t (t - u), and half of now's, k_t cut t
   out.friction_work =
       common.moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
-  out.damping_work = common.moved * 0.5 * (drag0 + drag_now) * sinking;
+  out.damping_work = common.moved * feet.meets[i] * 0.5 * (drag0 + drag_now) * sinking;
   out.depth = given > 0.0 ? depth : -1e300;
   out.pressure = normal.force * inverse_of(area + least_area);
   const double low = xi < eta ? xi : eta, high = xi > eta ? xi : eta;
@@ -205,21 +212,50 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   return out;
 }
 
-// Force on the node, and through the foot on the corners.
+// F, what the corners take of it, and the couple on the node's neighbours, G_a and G_b.
 WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes, const Feet& feet,
                                 PlyPassForces& forces, int i) {
   const double xi = nodes.place[0][i], eta = nodes.place[1][i], q1 = feet.q1[i], q2 = feet.q2[i];
   const double n3 = common.twist * xi * eta, n1 = xi - n3, n2 = eta - n3, n0 = 1.0 - xi - eta + n3;
-  const double g3 = common.twist * (q1 * eta + q2 * xi), g1 = q1 - g3, g2 = q2 - g3, g0 = g3 - q1 - q2;
+  const double a[3] = {nodes.a[0][i], nodes.a[1][i], nodes.a[2][i]},
+               b[3] = {nodes.b[0][i], nodes.b[1][i], nodes.b[2][i]};
+  const double r[3] = {feet.r[0][i], feet.r[1][i], feet.r[2][i]};
+  const double s1[3] = {feet.s1[0][i], feet.s1[1][i], feet.s1[2][i]},
+               s2[3] = {feet.s2[0][i], feet.s2[1][i], feet.s2[2][i]};
+  double n[3], t[3], f[3];
+  normal_of(nodes, i, n);
+  const double m[3] = {s1[1] * s2[2] - s1[2] * s2[1], s1[2] * s2[0] - s1[0] * s2[2], s1[0] * s2[1] - s1[1] * s2[0]};
+  const double m_n = m[0] * n[0] + m[1] * n[1] + m[2] * n[2], n_n = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  const double a_b = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
+  double t_n = 0.0;
 #pragma GCC unroll 3
   for (int d = 0; d < 3; ++d) {
-    const double r = feet.r[d][i], force = feet.across[i] * r + q1 * feet.s1[d][i] + q2 * feet.s2[d][i];
-    forces.force[d][i] = force;
-    forces.back[0][d][i] = g0 * r - n0 * force;
-    forces.back[1][d][i] = g1 * r - n1 * force;
-    forces.back[2][d][i] = g2 * r - n2 * force;
-    forces.back[3][d][i] = g3 * r - n3 * force;
+    t[d] = q1 * s1[d] + q2 * s2[d];
+    t_n += t[d] * n[d];
   }
+  const double inverse_n = inverse_root(n_n + least), inverse_n_n = inverse_n * inverse_n;
+  const double met = m_n > least ? m_n : 1.0;  // where there is no foot there is no force
+  const double along = (feet.normal[i] * n_n * inverse_n - t_n) * inverse_of(met);
+#pragma GCC unroll 3
+  for (int d = 0; d < 3; ++d) {
+    f[d] = along * m[d] + t[d];
+    forces.force[d][i] = f[d];
+    forces.back[0][d][i] = -n0 * f[d];
+    forces.back[1][d][i] = -n1 * f[d];
+    forces.back[2][d][i] = -n2 * f[d];
+    forces.back[3][d][i] = -n3 * f[d];
+  }
+  // a x G_a + b x G_b = -r x F: what is across n by f = (-r x F) x n/n^2, the rest, of rounding's size, by turning both
+  const double c[3] = {r[2] * f[1] - r[1] * f[2], r[0] * f[2] - r[2] * f[0], r[1] * f[0] - r[0] * f[1]};
+  const double g[3] = {(c[1] * n[2] - c[2] * n[1]) * inverse_n_n, (c[2] * n[0] - c[0] * n[2]) * inverse_n_n,
+                       (c[0] * n[1] - c[1] * n[0]) * inverse_n_n};
+  const double w = (c[0] * n[0] + c[1] * n[1] + c[2] * n[2]) * inverse_n_n * inverse_of(a_b + least);
+  forces.lever[0][i] = b[1] * g[2] - b[2] * g[1] + w * (n[1] * a[2] - n[2] * a[1]);
+  forces.lever[1][i] = b[2] * g[0] - b[0] * g[2] + w * (n[2] * a[0] - n[0] * a[2]);
+  forces.lever[2][i] = b[0] * g[1] - b[1] * g[0] + w * (n[0] * a[1] - n[1] * a[0]);
+  forces.lever[3][i] = g[1] * a[2] - g[2] * a[1] + w * (n[1] * b[2] - n[2] * b[1]);
+  forces.lever[4][i] = g[2] * a[0] - g[0] * a[2] + w * (n[2] * b[0] - n[0] * b[2]);
+  forces.lever[5][i] = g[0] * a[1] - g[1] * a[0] + w * (n[0] * b[1] - n[1] * b[0]);
 }
 
 template <bool with_tables>
@@ -263,19 +299,15 @@ PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPass
           .outside = outside};
 }
 
-void normals(int count, const double* const (&west)[3], const double* const (&east)[3], const double* const (&south)[3],
-             const double* const (&north)[3], double* const (&normal)[3]) {
-  const double *wx = west[0], *wy = west[1], *wz = west[2], *ex = east[0], *ey = east[1], *ez = east[2];
-  const double *sx = south[0], *sy = south[1], *sz = south[2], *nx = north[0], *ny = north[1], *nz = north[2];
-  double *ox = normal[0], *oy = normal[1], *oz = normal[2];
+void way(int count, const double* from, const double* to, double* between) {
 #pragma omp simd
-  for (int i = 0; i < count; ++i) {
-    const double ax = ex[i] - wx[i], ay = ey[i] - wy[i], az = ez[i] - wz[i];
-    const double bx = nx[i] - sx[i], by = ny[i] - sy[i], bz = nz[i] - sz[i];
-    ox[i] = ay * bz - az * by;
-    oy[i] = az * bx - ax * bz;
-    oz[i] = ax * by - ay * bx;
-  }
+  for (int i = 0; i < count; ++i) between[i] = to[i] - from[i];
+}
+
+void lever(int count, int stride, const double* lever_a, const double* lever_b, double* force) {
+  const double *west = lever_a - 1, *east = lever_a + 1, *south = lever_b - stride, *north = lever_b + stride;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) force[i] += (west[i] - east[i]) + (south[i] - north[i]);
 }
 
 using Four [[gnu::vector_size(32)]] = double;
@@ -322,7 +354,8 @@ double speed(int count, const double* const (&v)[3]) {
 extern const PlyLoops ply_loops;
 const PlyLoops ply_loops = {.springs = pass<false>,
                             .tables = pass<true>,
-                            .normals = normals,
+                            .way = way,
+                            .lever = lever,
                             .give_back = give_back,
                             .fold = fold,
                             .speed = speed};

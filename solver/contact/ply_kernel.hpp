@@ -2,8 +2,9 @@
 //
 // A node's foot is y = S(xi, eta) on a cell with corners x_0 (0, 0), x_1 (1, 0), x_2 (0, 1), x_3 (1, 1),
 //   N_3 = xi eta, N_1 = xi - N_3, N_2 = eta - N_3, N_0 = 1 - xi - eta + N_3        (a triangle x_0 x_1 x_2: N_3 = 0)
-// where the line from x along the node's own normal n meets it: x - S(xi, eta) = s n, by one Newton step from the foot
-// of the step before. r = x - y, and the depth is p = reach - |r|, |r| counted negative beyond the surface.
+// where the line from x along the node's own unit normal n meets it: x - S(xi, eta) = s n, by one Newton step from the
+// foot of the step before. n is that of a x b, with a and b from the node's neighbours: it turns smoothly where cells
+// meet at an edge. r = x - y, and the depth is p = reach - |r|, |r| counted negative beyond the surface.
 //
 // With the share's stiffness k of the node (ply_law.hpp) and the softening depth d:
 //   normal    N = k p^2/(2d) for p < d, k (p - d/2) beyond; or A P(p) of a measured compaction. Plus damping
@@ -13,8 +14,15 @@
 //             follows (return mapping). slip = path so far + |t|, so that under growing slip tau is that of the table.
 // What is lost is counted as in contact_kernel.hpp: each force over half the way before and half the way after.
 //
-// The node takes F = N r/|r| + T, T = q_1 S_xi + q_2 S_eta; corner a takes -N_a F + r (q_1 N_a,xi + q_2 N_a,eta). The
-// corners' sum is -F, and their moments with the node's give r x F + (q_1 S_xi + q_2 S_eta) x r = r x T + T x r = 0.
+// Forces are those of a potential of s and (xi, eta), whatever has a part in these. From x - S = s n, with m the cell's
+// normal S_xi x S_eta:
+//   ds      = m.(dx - sum N_a dx_a - s dn)/(m.n)
+//   T.dS    = T'.(dx - sum N_a dx_a - s dn),  T' = T - (T.n) m/(m.n)                   (dS: the foot's way on the cell)
+// so that the node takes F = (N - T.n) m/(m.n) + T (N with the sign of its side, T along the cell), corner a takes
+// -N_a F, and n takes -s F, which is a couple on the node's neighbours: the forces +-G_a at the ends of a, +-G_b at those
+// of b, with a x G_a + b x G_b = -r x F, G_a = b x f + w n x a, G_b = f x a + w n x b. Forces and moments sum to zero to
+// rounding. With the couple elsewhere, say on the corners, friction would be a force without a potential, and plies
+// flutter on it.
 #pragma once
 
 namespace weaveform {
@@ -48,7 +56,8 @@ struct PlyPassLaw {
 struct PlyPassNodes {
   int count;
   const double* x[3];        // mm
-  const double* normal[3];   // along the node's normal, upwards; of any length; no foot where it is 0
+  const double* a[3];        // mm; between the node's neighbours along the warp
+  const double* b[3];        // mm; along the weft; a x b points upwards, and there is no foot where it is 0
   const double* stiffness;   // N/mm; k; 0 where nothing acts: what is kept of such a node stays as it is
   const double* area;        // mm^2; of the fabric around the node
   const long* corner;        // first corner of the foot's cell; as wide as doubles, so that loops do not mix widths
@@ -65,6 +74,7 @@ struct PlyPassNodes {
 struct PlyPassForces {
   alignas(64) double force[3][ply_nodes_at_a_time];    // N; F
   alignas(64) double back[4][3][ply_nodes_at_a_time];  // N; of each corner
+  alignas(64) double lever[6][ply_nodes_at_a_time];    // N; G_a and G_b
   alignas(64) double acts[ply_nodes_at_a_time];        // N; above 0 where something acts
 };
 
@@ -92,9 +102,11 @@ inline constexpr int ply_segment = 64;
 using PlyGiveBack = void(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
                          double* into, char* touched);
 
-// Normals of nodes between their neighbours in four directions: n = (east - west) x (north - south).
-using PlyNormals = void(int count, const double* const (&west)[3], const double* const (&east)[3],
-                        const double* const (&south)[3], const double* const (&north)[3], double* const (&normal)[3]);
+// way[i] = to[i] - from[i].
+using PlyWay = void(int count, const double* from, const double* to, double* way);
+
+// force[i] += G_a[i - 1] - G_a[i + 1] + G_b[i - stride] - G_b[i + stride].
+using PlyLever = void(int count, int stride, const double* lever_a, const double* lever_b, double* force);
 
 // Adds such forces to one array for each component, and leaves zeros.
 using PlyFold = void(int count, double* from, double* const (&into)[3]);
@@ -105,7 +117,8 @@ using PlySpeed = double(int count, const double* const (&v)[3]);
 struct PlyLoops {
   PlyPass* springs;  // Coulomb, springs
   PlyPass* tables;   // with tables of shear or pressure, either or both
-  PlyNormals* normals;
+  PlyWay* way;
+  PlyLever* lever;
   PlyGiveBack* give_back;
   PlyFold* fold;
   PlySpeed* speed;

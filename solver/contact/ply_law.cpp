@@ -81,7 +81,7 @@ double spring_stiffness(const TouchingPly& a, const TouchingPly& b, double frequ
 double node_stiffness(const TouchingPly& own, const TouchingPly& other, double frequency, double mass, double area) {
   const double there = std::min(other.density * area, other.node_mass);
   if (mass <= 0.0 || there <= 0.0) return 0.0;
-  const double share = other.thickness / (own.thickness + other.thickness);
+  const double share = own.thickness / (own.thickness + other.thickness);
   return share * frequency * frequency * mass * there / (mass + there);
 }
 
@@ -124,15 +124,15 @@ void make_tables(const PairLaw& law, const TouchingPly& a, const TouchingPly& b,
 
 PlyPassLaw pass_law(const PairLaw& law, const PairTables& tables, const TouchingPly& own, const TouchingPly& other,
                     bool above, double frequency) {
-  const double reach = reach_of(own, other), arm = 1.0 + std::sqrt(2.0) * reach / other.spacing;
+  const double reach = reach_of(own, other), arm = reach / own.spacing;
   const double softening = contact_softening * std::min(own.thickness, other.thickness);
   return {.reach = reach,
           .side = above ? 1.0 : -1.0,
           .softening = softening,
           .damping_time = 2.0 * contact_damping / frequency,
-          .tangential = 1.0 / (arm * arm),
+          .tangential = 1.0 / ((1.0 + arm) * (1.0 + 2.0 * arm)),
           .friction = law.friction,
-          .share = other.thickness / (own.thickness + other.thickness),
+          .share = own.thickness / (own.thickness + other.thickness),
           .shear = tables.shear_table,
           .adhesion = law.shear_law.empty() ? 0.0 : -softening,
           .pressure = tables.pressure_table,

@@ -4,12 +4,12 @@
 //   k = s omega^2 m_a m_b / (m_a + m_b)
 // whose own frequency against both is sqrt(s) omega, omega a fixed share of the fabric's greatest (contact.hpp), so that
 // no spring sets the step; m_b is the other fabric's mass on the node's area, but no more than one of its own nodes has.
-// The tangential spring moves its foot's cell by turning it as well, by an arm of reach over spacing:
-//   k_t = k / (1 + sqrt(2) reach / spacing)^2
+// The tangential spring works on the node's neighbours as well, which turn its normal, by a ratio of x = reach/spacing:
+//   k_t = k / ((1 + x) (1 + 2 x))
 //
-// Shares. The nodes of ply a carry s = t_b / (t_a + t_b) of what acts between a and b, those of b the rest. As the couple
-// of a node's friction goes to the ply it touches, T (t_a + t_b)/2 times that share is the couple that friction on a
-// face has about that ply's own middle, T t_b/2.
+// Shares. The nodes of ply a carry s = t_a / (t_a + t_b) of what acts between a and b, those of b the rest. The couple of
+// a node's friction goes to its own ply: T (t_a + t_b)/2 times that share is the couple that friction on a face has about
+// the ply's own middle, T t_a/2.
 #pragma once
 
 #include <string>

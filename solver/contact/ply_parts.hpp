@@ -33,7 +33,8 @@ struct PlyContact::Parts {
   // Blocks of a ply that one thread takes at a time, whatever the number of threads.
   struct Chunk {
     int ply = 0, first_block = 0, end_block = 0;
-    std::vector<PlyReturn> back;  // of each pass, 2 * pair + side
+    std::vector<int> pass;        // of this ply's nodes; 2 * pair + side
+    std::vector<PlyReturn> back;  // of each pass
   };
 
   // Segments of a ply that one thread adds to at a time, and the chunks and passes that give to it.
@@ -42,6 +43,7 @@ struct PlyContact::Parts {
     std::vector<std::array<int, 2>> from;
   };
 
+  [[nodiscard]] PlyPassState& pass(int number) { return pair[number / 2].pass[number % 2]; }
   void make_pair(int lower, int upper, const PairLaw& law, double frequency, std::vector<std::string>& complaints);
   void list_returns();
   void look_at_start(Pair& its, std::vector<std::string>& complaints);

@@ -33,7 +33,7 @@ double table_value(const EvenTable& table, double x) {
 
 }  // namespace
 
-PlyPassState::PlyPassState(const PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency)
+PlyPassState::PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency)
     : own_(own),
       other_(other),
       law_(law),
@@ -178,7 +178,8 @@ PlyPassNodes PlyPassState::nodes_of(int number, const BlockFrame& frame) {
   }
   for (int c = 0; c < 3; ++c) {
     nodes.x[c] = frame.x[c];
-    nodes.normal[c] = frame.normal[c];
+    nodes.a[c] = frame.a[c];
+    nodes.b[c] = frame.b[c];
     nodes.surface[c] = other_.state().position[c].data();
     nodes.drag[c] = drag_[c].data() + block.at;
   }
@@ -197,7 +198,7 @@ void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time
   PlyPassForces forces;
   PlyPassSums& sums = sums_[number];
   sums = (with_tables ? loops.tables : loops.springs)(law_, per_time, nodes, forces);
-  if (sums.depth > touch_) add(nodes, block.first, block.count, forces, back);
+  if (sums.depth > touch_) add(nodes, number, block.first, block.count, forces, back);
   if (triangles_[number] > 0) look_at_triangles(number, frame, per_time, sums, back);
   measured_[number] = sums.depth > touch_ ? 1 : 0;
   if (sums.outside > cell_border) move_feet(number);
@@ -227,17 +228,18 @@ void PlyPassState::look_at_triangles(int number, const BlockFrame& frame, double
     node.path += i;
     for (auto* lists : {&node.place, &node.anchor})
       for (auto& list : *lists) list += i;
-    for (auto* lists : {&node.x, &node.normal})
+    for (auto* lists : {&node.x, &node.a, &node.b})
       for (auto& list : *lists) list += i;
     for (auto& list : node.drag) list += i;
     PlyPassForces forces;
     const PlyPassSums one = (with_tables ? loops.tables : loops.springs)(law_, inverse_time, node, forces);
-    if (one.depth > touch_) add(node, block.first + i, 1, forces, back);
+    if (one.depth > touch_) add(node, number, block.first + i, 1, forces, back);
     add_sums(one, sums);
   }
 }
 
-void PlyPassState::add(const PlyPassNodes& nodes, int first, int count, const PlyPassForces& forces, PlyReturn& back) {
+void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int count, const PlyPassForces& forces,
+                       PlyReturn& back) {
   if (back.force.empty()) {
     back.force.assign(4 * static_cast<std::size_t>(other_.nodes()), 0.0);
     back.touched.assign(static_cast<std::size_t>(other_.nodes()) / ply_segment + 1, 0);
@@ -246,6 +248,7 @@ void PlyPassState::add(const PlyPassNodes& nodes, int first, int count, const Pl
     double* into = own_.state().force[c].data() + first;
     for (int i = 0; i < count; ++i) into[i] += forces.force[c][i];
   }
+  own_.add_levers(block, first, count, forces.lever);
   loops_of_plies().give_back(count, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
 }
 
@@ -361,9 +364,9 @@ PlyPassState::Frame PlyPassState::frame_at(const SurfacePlace& place) const {
   return frame;
 }
 
-// A spring between a node and the corners of its foot's cell, K (t - sum v_a t_a)^2 / 2: |K_ij| = K |v_i| |v_j|.
-// Across the surface v_a = N_a; along it the corners also turn the cell, v_a = N_a + |r| |grad N_a|. Dampers shorten the
-// step like stiffness (contact.cpp).
+// A spring between a node and the corners of its foot's cell, K (t - sum v_a t_a)^2 / 2: |K_ij| = K |v_i| |v_j|, with
+// v = N_a at the corners. Along the surface the node's neighbours turn its normal, too: v = |r| over the way between
+// them. Dampers shorten the step like stiffness (contact.cpp).
 void PlyPassState::add_stiffness_bound(double fabric_frequency, double stiffest, Doubles& own_bound,
                                        Doubles& other_bound) const {
   const double fastest = std::hypot(fabric_frequency, frequency_);
@@ -373,26 +376,22 @@ void PlyPassState::add_stiffness_bound(double fabric_frequency, double stiffest,
     const double across = std::max(stiffness_[l], law_.share * own_.area()[l] * stiffest) + damper;
     const double along = law_.tangential * (stiffness_[l] + damper);
     const SurfacePlace place = place_of(l);
-    const auto node = other_.surface().corners(place.facet);
+    const auto corner = other_.surface().corners(place.facet);
     const bool triangle = other_.surface().is_triangle(place.facet);
-    const double twist = triangle ? 0.0 : 1.0, xi = place.xi, eta = place.eta;
-    const Frame frame = frame_at(place);
-    const double area = length(cross(frame.s1, frame.s2));
-    const double height1 = area / length(frame.s2), height2 = area / length(frame.s1);
-    const double n3 = twist * xi * eta;
-    const double weight[4] = {1.0 - xi - eta + n3, xi - n3, eta - n3, n3};
-    const double by_xi[4] = {twist * eta - 1.0, 1.0 - twist * eta, -twist * eta, twist * eta};
-    const double by_eta[4] = {twist * xi - 1.0, -twist * xi, 1.0 - twist * xi, twist * xi};
-    double plain[4], turning[4], plain_sum = 1.0, turning_sum = 1.0;
-    for (int a = 0; a < 4; ++a) {
-      plain[a] = std::abs(weight[a]);
-      turning[a] = plain[a] + law_.reach * (std::abs(by_xi[a]) / height1 + std::abs(by_eta[a]) / height2);
-      plain_sum += plain[a];
-      turning_sum += turning[a];
+    const double n3 = triangle ? 0.0 : place.xi * place.eta;
+    const double weight[4] = {std::abs(1.0 - place.xi - place.eta + n3), std::abs(place.xi - n3),
+                              std::abs(place.eta - n3), std::abs(n3)};
+    const auto [a, b] = own_.between_neighbours(own_.node_of(l));
+    const double turned = length(cross(a, b));
+    const double lever[2] = {law_.reach * length(b) / turned, law_.reach * length(a) / turned};
+    const double plain_sum = 1.0 + weight[0] + weight[1] + weight[2] + weight[3];
+    const double turning_sum = plain_sum + 2.0 * (lever[0] + lever[1]);
+    const double one = std::max(across * plain_sum, along * turning_sum);
+    own_bound[own_.node_of(l)] += one;
+    for (std::size_t k = 0; k < 4; ++k) {
+      own_bound[own_.arms(own_.node_of(l)).arm[k]] += along * lever[k / 2] * turning_sum;
+      other_bound[corner[k]] += weight[k] * one;
     }
-    own_bound[own_.node_of(l)] += std::max(across * plain_sum, along * turning_sum);
-    for (int a = 0; a < (triangle ? 3 : 4); ++a)
-      other_bound[node[a]] += std::max(across * plain[a] * plain_sum, along * turning[a] * turning_sum);
   }
 }
 

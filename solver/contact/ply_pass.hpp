@@ -28,7 +28,7 @@ struct PlyReturn {
 class PlyPassState {
 public:
   // `law`'s tables and both plies must outlive the pass.
-  PlyPassState(const PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency);
+  PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency);
 
   // Finds every node's foot, from nothing. mm: the least gap between the two, negative inside; with `depths` (per packed
   // node) each one's depth, -infinity where there is none.
@@ -88,9 +88,9 @@ private:
   [[nodiscard]] double clearance(int block, double depth) const;
   [[nodiscard]] PlyPassNodes nodes_of(int block, const BlockFrame& frame);
   void look_at_triangles(int block, const BlockFrame& frame, double inverse_time, PlyPassSums& sums, PlyReturn& back);
-  void add(const PlyPassNodes& nodes, int first, int count, const PlyPassForces& forces, PlyReturn& back);
+  void add(const PlyPassNodes& nodes, int block, int first, int count, const PlyPassForces& forces, PlyReturn& back);
 
-  const PlyFace& own_;
+  PlyFace& own_;
   const PlyFace& other_;
   PlyPassLaw law_;
   double frequency_;
