@@ -178,6 +178,7 @@ TEST_F(StackChain, CheckAndPlanSpeakOfEveryPly) {
   EXPECT_EQ(json.at("mesh").at("plies").size(), 2U);
   EXPECT_EQ(json.at("resolved").at("ply").at("upper").at("mesh").at("coarsening").size(), 2U);
   EXPECT_EQ(json.at("scene").at("ply").size(), 2U);
+  run("weaveform check s.toml > echo.toml && weaveform check echo.toml > again.toml && cmp echo.toml again.toml");
   const CommandResult plan = run_command("weaveform mesh s.toml --plan --json", folder_.path());
   ASSERT_EQ(plan.exit_code, 0) << plan.err;
   const auto rows = nlohmann::json::parse(plan.out);
