@@ -52,7 +52,7 @@ struct Feet {
   alignas(64) double s1[3][ply_nodes_at_a_time], s2[3][ply_nodes_at_a_time];
   alignas(64) double r[3][ply_nodes_at_a_time];                                // S_xi, S_eta, x - y; mm
   alignas(64) double square[ply_nodes_at_a_time], along[ply_nodes_at_a_time];  // r.r, r.n
-  alignas(64) double meets[ply_nodes_at_a_time];  // 1, or 0 where the normals part by 90 degrees
+  alignas(64) double meets[ply_nodes_at_a_time];  // 1 where the normals part by less than 45 degrees, 0 from 60 on
   alignas(64) double normal[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // N; N, T's q
 };
 
@@ -85,9 +85,14 @@ WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes,
   }
   const double a[3] = {s2[1] * n[2] - s2[2] * n[1], s2[2] * n[0] - s2[0] * n[2], s2[0] * n[1] - s2[1] * n[0]};
   const double b[3] = {n[1] * s1[2] - n[2] * s1[1], n[2] * s1[0] - n[0] * s1[2], n[0] * s1[1] - n[1] * s1[0]};
-  const double all = s1[0] * a[0] + s1[1] * a[1] + s1[2] * a[2];
+  const double m[3] = {s1[1] * s2[2] - s1[2] * s2[1], s1[2] * s2[0] - s1[0] * s2[2], s1[0] * s2[1] - s1[1] * s2[0]};
+  const double all = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+  const double squares = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   const double determinant = nodes.stiffness[i] > 0.0 ? all : 0.0;
   const double held = determinant > least ? determinant : 1.0;
+  // cos^2 from 1/4 to 1/2
+  const double facing = 4.0 * determinant * determinant * inverse_of(squares + least) - 1.0;
+  const double faced = facing > 0.0 ? facing : 0.0;
   const double inverse = determinant > least ? inverse_of(held) : 0.0;
   const double dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse;
   const double deta = (r[0] * b[0] + r[1] * b[1] + r[2] * b[2]) * inverse;
@@ -109,7 +114,8 @@ WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes,
   feet.deta[i] = deta;
   feet.square[i] = square;
   feet.along[i] = along;
-  feet.meets[i] = determinant > least ? 1.0 : 0.0;
+  const double meets = faced < 1.0 ? faced : 1.0;
+  feet.meets[i] = determinant > least ? meets : 0.0;
 }
 
 struct Normal {
@@ -148,7 +154,9 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   const double guess = feet.square[i] * inverse_distance;
   const double distance = guess + 0.5 * (feet.square[i] - guess * guess) * inverse_distance;
   const double depth = law.reach - (law.side * feet.along[i] >= 0.0 ? distance : -distance);
-  const double given = nodes.stiffness[i], k = feet.meets[i] * given, area = feet.meets[i] * law.share * nodes.area[i];
+  // nobody gets there in one step: it is another side of a fold that the line met
+  const double meets = depth < 2.0 * law.reach ? feet.meets[i] : 0.0;
+  const double given = nodes.stiffness[i], k = meets * given, area = meets * law.share * nodes.area[i];
   const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
   const double sinking = depth - nodes.depth[i];  // over the step just made
   const Normal normal = normal_force<with_tables>(law, common, depth, sinking, k, area);
@@ -178,7 +186,8 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
       limit += holds * area * value_at(law.shear, nodes.path[i] + t_size);
     }
   }
-  const double cut = s_size > limit ? limit * s_inverse : 1.0;
+  const double held = s_size > limit ? limit * s_inverse : 1.0;
+  const double cut = k > 0.0 ? held : 0.0;  // without a foot nothing is stretched
   feet.normal[i] = law.side * normal.force;
   feet.q1[i] = -cut * q1;
   feet.q2[i] = -cut * q2;
@@ -202,13 +211,14 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   // the spring's slip (1 - cut) t against half its force before, k_t (t - u), and half of now's, k_t cut t
   out.friction_work =
       common.moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
-  out.damping_work = common.moved * feet.meets[i] * 0.5 * (drag0 + drag_now) * sinking;
-  out.depth = given > 0.0 ? depth : -1e300;
+  out.damping_work = common.moved * meets * 0.5 * (drag0 + drag_now) * sinking;
+  out.depth = k > 0.0 ? depth : -1e300;
   out.pressure = normal.force * inverse_of(area + least_area);
   const double low = xi < eta ? xi : eta, high = xi > eta ? xi : eta;
   const double over = common.twist > 0.0 ? high - 1.0 : xi + eta - 1.0;
   const double out_of_cell = over > -low ? over : -low;
-  out.outside = given > 0.0 ? out_of_cell : -1.0;
+  const double leaves = k > 0.0 ? out_of_cell : 1e300;  // so does who has no foot
+  out.outside = given > 0.0 ? leaves : -1.0;
   return out;
 }
 

@@ -2,7 +2,8 @@
 //
 // A node's foot is y = S(xi, eta) on a cell with corners x_0 (0, 0), x_1 (1, 0), x_2 (0, 1), x_3 (1, 1),
 //   N_3 = xi eta, N_1 = xi - N_3, N_2 = eta - N_3, N_0 = 1 - xi - eta + N_3        (a triangle x_0 x_1 x_2: N_3 = 0)
-// where the line from x along the node's own unit normal n meets it: x - S(xi, eta) = s n, by one Newton step from the
+// where the line from x along the node's own unit normal n meets it (none where the two surfaces part by 60 degrees and
+// more, all from 45 down): x - S(xi, eta) = s n, by one Newton step from the
 // foot of the step before. n is that of a x b, with a and b from the node's neighbours: it turns smoothly where cells
 // meet at an edge. r = x - y, and the depth is p = reach - |r|, |r| counted negative beyond the surface.
 //
@@ -88,7 +89,7 @@ struct PlyPassSums {
   double damping_work = 0.0;   // mJ; lost across it
   double depth = -1e300;       // mm; greatest
   double pressure = 0.0;       // MPa; greatest
-  double outside = -1.0;       // 1; greatest way of a foot out of its cell, in the cell's coordinates
+  double outside = -1.0;       // 1; greatest way of a foot out of its cell, in its coordinates; 1e300: has none
 };
 
 // `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.

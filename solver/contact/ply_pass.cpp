@@ -252,6 +252,27 @@ void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int coun
   loops_of_plies().give_back(count, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
 }
 
+// Whether the line along the node's normal meets the surface as the kernel wants it, less than 60 degrees off, and not
+// on another side of a fold.
+bool PlyPassState::faces(int lane, const SurfacePlace& place) const {
+  const Vec3 n = own_.normal(own_.node_of(lane));
+  const Frame frame = frame_at(place);
+  const Vec3 m = cross(frame.s1, frame.s2);
+  const double along = dot(m, n);
+  return along > 0.0 && 4.0 * along * along > dot(m, m) * dot(n, n) && depth_at(lane, place, n) < 2.0 * law_.reach;
+}
+
+// A foot that was off, beside the ply or in a fold, comes back where hardly anything happens by that: no deeper than its
+// neighbours' are pressed. Deeper, a spring that nobody has pressed would push it.
+bool PlyPassState::may_come_back(int lane, const SurfacePlace& place) const {
+  if (!faces(lane, place)) return false;
+  const int node = own_.node_of(lane);
+  double pressed = 0.0;
+  for (const int beside : own_.arms(node).arm)
+    if (const int l = own_.lane_of(beside); l >= 0 && stiffness_[l] > 0.0) pressed = std::max(pressed, depth_[l]);
+  return depth_at(lane, place, own_.normal(node)) < pressed + law_.softening;
+}
+
 // To the next cell, or off the ply.
 void PlyPassState::move_feet(int number) {
   const PlySurface& surface = other_.surface();
@@ -259,6 +280,10 @@ void PlyPassState::move_feet(int number) {
   for (int l = block.at; l < block.at + block.count; ++l) {
     if (stiffness_[l] == 0.0) continue;
     const SurfacePlace now = place_of(l);
+    if (!faces(l, now)) {
+      turn_off(l);
+      continue;
+    }
     if (surface.outside(now) <= cell_border) continue;
     const SurfacePlace next = surface.find(surface.material(now));
     if (next.facet < 0) {
@@ -288,7 +313,7 @@ void PlyPassState::find_again(int number) {
     const Vec3 normal = own_.normal(own_.node_of(l));
     const bool meets = surface.follow(place, own_.position(own_.node_of(l)), normal, other_.state().position);
     if (meets) put(l, place);
-    if (meets && surface.outside(place) <= (was_on ? ply_border : 0.0))
+    if (meets && surface.outside(place) <= (was_on ? ply_border : 0.0) && may_come_back(l, place))
       turn_on(l, place, depth_at(l, place, normal));
     else
       turn_off(l);
@@ -310,7 +335,7 @@ void PlyPassState::find_lost(int number) {
     const Vec3 normal = own_.normal(node);
     if (!surface.follow(place, own_.position(node), normal, other_.state().position)) continue;
     put(l, place);
-    if (surface.outside(place) <= 0.0) turn_on(l, place, depth_at(l, place, normal));
+    if (surface.outside(place) <= 0.0 && may_come_back(l, place)) turn_on(l, place, depth_at(l, place, normal));
   }
   count_off(number);
 }
@@ -347,7 +372,7 @@ bool PlyPassState::any_clear() const {
 int PlyPassState::deepest() const {
   int lane = -1;
   for (int l = 0; l < own_.lanes(); ++l)
-    if (stiffness_[l] > 0.0 && (lane < 0 || depth_[l] > depth_[lane])) lane = l;
+    if (stiffness_[l] > 0.0 && depth_[l] < 2.0 * law_.reach && (lane < 0 || depth_[l] > depth_[lane])) lane = l;
   return lane < 0 ? -1 : own_.node_of(lane);
 }
 
@@ -407,7 +432,7 @@ Vec3 PlyPassState::slip(int lane) const {
 PlyPassState::Press PlyPassState::press(int lane) const {
   Press press;
   const double k = stiffness_[lane], depth = depth_[lane], area = law_.share * own_.area()[lane];
-  if (k == 0.0 || !(depth > touch_)) return press;
+  if (k == 0.0 || !(depth > touch_) || depth >= 2.0 * law_.reach) return press;
   const double pressed = std::max(depth, 0.0), soft = std::min(pressed, law_.softening);
   const double elastic = law_.pressure.intervals > 0 ? area * table_value(law_.pressure, pressed)
                                                      : k * soft / law_.softening * (pressed - 0.5 * soft);

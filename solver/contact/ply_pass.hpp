@@ -81,6 +81,8 @@ private:
   [[nodiscard]] double depth_at(int lane, const SurfacePlace& place, const Vec3& normal) const;
   [[nodiscard]] SurfacePlace place_of(int lane) const { return {facet_[lane], place_[0][lane], place_[1][lane]}; }
   [[nodiscard]] SurfacePlace start_of_search(int lane, const SurfacePlace& before) const;
+  [[nodiscard]] bool faces(int lane, const SurfacePlace& place) const;
+  [[nodiscard]] bool may_come_back(int lane, const SurfacePlace& place) const;
   void count_off(int block);
   void move_feet(int block);
   void find_again(int block);
