@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 const std::string two_ply_hemisphere = std::string(WEAVEFORM_SOURCE_DIR) + "/examples/hemisphere_two_plies.toml";
 const std::string stack_settings =
-    " --set tools.punch.travel=25 --set analysis.duration=0.03 --set output.frames=2 --set output.history=20 --quiet";
+    " --set blank.coarsening=4 --set tools.punch.travel=25 --set analysis.duration=0.03 --set output.frames=2 --set output.history=20 --quiet";
 const std::vector<std::string> stack_files = {"mesh.vtu", "history.csv", "contours.vtp", "frames/frame_0000.vtu",
                                               "frames/frame_0002.vtu"};
 
@@ -113,7 +113,7 @@ TEST_F(StackChain, StagesAndThreadsChangeNoBit) {
 // Yarns at 45 deg to the planes are mirrored from one family onto the other, and touch there as in the whole.
 TEST_F(StackChain, AQuarterIsTheWhole) {
   const std::string slow =
-      " --set tools.punch.travel=15 --set analysis.duration=0.08 --set output.frames=2 --set output.history=20 --quiet";
+      " --set blank.coarsening=4 --set tools.punch.travel=15 --set analysis.duration=0.08 --set output.frames=2 --set output.history=20 --quiet";
   run("weaveform run " + two_ply_hemisphere + " --output quarter" + slow);
   run("weaveform run " + two_ply_hemisphere + " --output whole --set model.symmetry=none" + slow);
   EXPECT_EQ(summary("whole").at("symmetry"), "none");
@@ -127,13 +127,14 @@ TEST_F(StackChain, AQuarterIsTheWhole) {
   int differ = 0;
   for (std::size_t n = 0; n < touches.size(); ++n) differ += touches[n] != all[n] ? 1 : 0;
   EXPECT_LE(differ, 4);
-  const auto &a = summary("quarter").at("pairs").at("lower/upper"), &b = summary("whole").at("pairs").at("lower/upper");
+  const nlohmann::json a = summary("quarter").at("pairs").at("lower/upper"),
+                       b = summary("whole").at("pairs").at("lower/upper");
   for (const char* name : {"contact_area_mm2", "force_N", "mean_slip_mm", "friction_work_mJ"})
     EXPECT_NEAR(a.at(name).get<double>(), b.at(name).get<double>(), 0.02 * b.at(name).get<double>()) << name;
 }
 
 TEST_F(StackChain, AStoppedRunGoesOnToTheSameBits) {
-  const std::vector<std::string> quick = {"tools.punch.travel=25", "analysis.duration=0.03", "output.frames=2",
+  const std::vector<std::string> quick = {"blank.coarsening=4", "tools.punch.travel=25", "analysis.duration=0.03", "output.frames=2",
                                           "output.history=20"};
   const auto solved = [&](const std::string& to, SolveOptions how) {
     how.quiet = true;
@@ -200,7 +201,7 @@ TEST_F(StackChain, CheckAndPlanSpeakOfEveryPly) {
 TEST_F(StackChain, AStudyVariesAPlyAndItsMeasures) {
   write_text("scene = \"" + two_ply_hemisphere +
                  "\"\nmeasures = [\"plies.upper.max_shear_angle_deg\", \"pairs.lower/upper.mean_slip_mm\"]\n[set]\n"
-                 "\"tools.punch.travel\" = 15\n\"analysis.duration\" = 0.02\n\"output.frames\" = 1\n[grid]\n"
+                 "\"blank.coarsening\" = 4\n\"tools.punch.travel\" = 15\n\"analysis.duration\" = 0.02\n\"output.frames\" = 1\n[grid]\n"
                  "\"ply.upper.yarn_angle\" = [45, 30]\n",
              folder_.path() / "study.toml");
   const CommandResult result = run_command("weaveform study study.toml --output study --quiet", folder_.path());
