@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 
 const std::string two_ply_hemisphere = std::string(WEAVEFORM_SOURCE_DIR) + "/examples/hemisphere_two_plies.toml";
 const std::string stack_settings =
-    " --set blank.coarsening=4 --set tools.punch.travel=25 --set analysis.duration=0.03 --set output.frames=2 --set output.history=20 --quiet";
+    " --set blank.coarsening=4 --set tools.punch.travel=25 --set analysis.duration=0.03 --set output.frames=2 --set "
+    "output.history=20 --quiet";
 const std::vector<std::string> stack_files = {"mesh.vtu", "history.csv", "contours.vtp", "frames/frame_0000.vtu",
                                               "frames/frame_0002.vtu"};
 
@@ -113,7 +114,8 @@ TEST_F(StackChain, StagesAndThreadsChangeNoBit) {
 // Yarns at 45 deg to the planes are mirrored from one family onto the other, and touch there as in the whole.
 TEST_F(StackChain, AQuarterIsTheWhole) {
   const std::string slow =
-      " --set blank.coarsening=4 --set tools.punch.travel=15 --set analysis.duration=0.08 --set output.frames=2 --set output.history=20 --quiet";
+      " --set blank.coarsening=4 --set tools.punch.travel=15 --set analysis.duration=0.08 --set output.frames=2 --set "
+      "output.history=20 --quiet";
   run("weaveform run " + two_ply_hemisphere + " --output quarter" + slow);
   run("weaveform run " + two_ply_hemisphere + " --output whole --set model.symmetry=none" + slow);
   EXPECT_EQ(summary("whole").at("symmetry"), "none");
@@ -134,8 +136,8 @@ TEST_F(StackChain, AQuarterIsTheWhole) {
 }
 
 TEST_F(StackChain, AStoppedRunGoesOnToTheSameBits) {
-  const std::vector<std::string> quick = {"blank.coarsening=4", "tools.punch.travel=25", "analysis.duration=0.03", "output.frames=2",
-                                          "output.history=20"};
+  const std::vector<std::string> quick = {"blank.coarsening=4", "tools.punch.travel=25", "analysis.duration=0.03",
+                                          "output.frames=2", "output.history=20"};
   const auto solved = [&](const std::string& to, SolveOptions how) {
     how.quiet = true;
     if (how.resume) {
@@ -201,7 +203,8 @@ TEST_F(StackChain, CheckAndPlanSpeakOfEveryPly) {
 TEST_F(StackChain, AStudyVariesAPlyAndItsMeasures) {
   write_text("scene = \"" + two_ply_hemisphere +
                  "\"\nmeasures = [\"plies.upper.max_shear_angle_deg\", \"pairs.lower/upper.mean_slip_mm\"]\n[set]\n"
-                 "\"blank.coarsening\" = 4\n\"tools.punch.travel\" = 15\n\"analysis.duration\" = 0.02\n\"output.frames\" = 1\n[grid]\n"
+                 "\"blank.coarsening\" = 4\n\"tools.punch.travel\" = 15\n\"analysis.duration\" = "
+                 "0.02\n\"output.frames\" = 1\n[grid]\n"
                  "\"ply.upper.yarn_angle\" = [45, 30]\n",
              folder_.path() / "study.toml");
   const CommandResult result = run_command("weaveform study study.toml --output study --quiet", folder_.path());
