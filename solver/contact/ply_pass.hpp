@@ -1,7 +1,8 @@
 // The nodes of one ply against the surface of another: where their feet are, and what acts there.
 //
 // A node whose foot is off the other ply has no spring. Feet stay on the cell they are on until they have left it by a
-// thousandth, so that none goes back and forth over a line; at the ply's edge until they have left it by a twentieth.
+// thousandth, so that none goes back and forth over a line; at the ply's edge until they have left it by 0.3 of a cell,
+// for there lies half a yarn more, and plies of one outline would else lose each other at every quiver.
 //
 // Culling as in contact.hpp: a block of nodes that is clear of the surface is not looked at until both plies can have
 // moved so far. Blocks are looked at in parallel, each in a chunk that has its own list of what the other ply takes,
@@ -40,7 +41,7 @@ public:
   // Whether the block can touch now.
   [[nodiscard]] bool is_near(int block) const { return far_[block] <= own_.way + other_.way; }
   // Forces of a block: added to own state().force, and to `back`. `inverse_time` as in ply_kernel.hpp.
-  void look(int block, const BlockFrame& frame, double inverse_time, bool look_for_lost, PlyReturn& back);
+  void look(int block, const BlockFrame& frame, double inverse_time, PlyReturn& back);
   void pass_over(int block) { measured_[block] = 0; }
 
   // Of all blocks that touched in the last step, in order.

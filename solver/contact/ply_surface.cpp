@@ -7,8 +7,10 @@
 namespace weaveform {
 namespace {
 
-constexpr double border = 1e-9;          // of a cell: this far outside still counts as inside
-constexpr double least_triangle = 1e-6;  // of a cell's area; slimmer ones are none
+constexpr double border = 1e-9;  // of a cell: this far outside still counts as inside
+// Of a cell: triangles of less height are none. What lies on them lies on the cell beside them, by less than its foot may
+// be outside (ply_pass.hpp), and no spring hangs on nodes that nearly coincide.
+constexpr double least_height = 0.15;
 const double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // (u, v) of every mesh node: a yarn end lies on its yarn's line, its rest length away from the crossing.
@@ -52,7 +54,8 @@ void PlySurface::add_triangles(const Mesh& mesh, const PackedMesh& packed) {
     for (int k = begin + 1; k + 1 < end; ++k) {
       const std::array<int, 3> node = {mesh.cells.node[begin], mesh.cells.node[k], mesh.cells.node[k + 1]};
       const Vec2 origin = place[node[0]], first = minus(place[node[1]], origin), second = minus(place[node[2]], origin);
-      if (!(cross(first, second) > least_triangle)) continue;
+      const double longest = std::max({length(first), length(second), length(minus(second, first))});
+      if (!(cross(first, second) > least_height * longest)) continue;
       triangle_.push_back(
           {{packed.packed_of_mesh[node[0]], packed.packed_of_mesh[node[1]], packed.packed_of_mesh[node[2]]},
            origin,
