@@ -288,11 +288,12 @@ void PlyPassState::move_feet(int number) {
       continue;
     }
     if (surface.outside(now) <= cell_border) continue;
-    const SurfacePlace next = surface.find(surface.material(now));
-    if (next.facet < 0) {
-      if (surface.outside(now) > ply_border) turn_off(l);
+    const SurfacePlace next = surface.near(surface.material(now));
+    if (next.facet < 0 || surface.away(next) > ply_border) {
+      turn_off(l);
       continue;
     }
+    if (surface.away(now) <= surface.away(next) + cell_border) continue;  // the nearest already
     const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
     const Vec2 drag = surface.carried_over({drag_[1][l], drag_[2][l]}, now.facet, next.facet);
     put(l, next);
@@ -345,13 +346,7 @@ double PlyPassState::clearance(int number, double depth) const {
   const PlyBlock& block = own_.blocks()[number];
   for (int l = block.at; l < block.at + block.count && room > 0.0; ++l) {
     if (stiffness_[l] > 0.0 || facet_[l] < 0) continue;
-    SurfacePlace held = place_of(l);
-    const Vec2 now = other_.surface().material(held);
-    held.xi = std::clamp(held.xi, 0.0, 1.0);
-    held.eta = std::clamp(held.eta, 0.0, other_.surface().is_triangle(held.facet) ? 1.0 - held.xi : 1.0);
-    const Vec2 edge = other_.surface().material(held);
-    room = std::min(
-        room, safe_part * other_.touching().spacing * std::max(std::abs(now[0] - edge[0]), std::abs(now[1] - edge[1])));
+    room = std::min(room, safe_part * other_.touching().spacing * other_.surface().away(place_of(l)));
   }
   return std::max(room, 0.0);
 }

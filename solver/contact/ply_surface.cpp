@@ -123,6 +123,14 @@ double PlySurface::outside(const SurfacePlace& place) const {
   return outside_of(is_triangle(place.facet), place.xi, place.eta);
 }
 
+// To the point that clamping gives: not quite the nearest of a triangle.
+double PlySurface::away(const SurfacePlace& place) const {
+  SurfacePlace held = place;
+  held.xi = std::clamp(held.xi, 0.0, 1.0);
+  held.eta = std::clamp(held.eta, 0.0, is_triangle(place.facet) ? 1.0 - held.xi : 1.0);
+  return length(minus(material(held), material(place)));
+}
+
 SurfacePlace PlySurface::find(const Vec2& material) const {
   if (!(std::abs(material[0]) < 1e8 && std::abs(material[1]) < 1e8)) return {};
   // on a line between cells either will do
@@ -148,12 +156,7 @@ SurfacePlace PlySurface::near(const Vec2& material) const {
   double least = std::numeric_limits<double>::infinity();
   const auto try_facet = [&](int facet) {
     const auto place = on_facet(facet, material);
-    // a slim triangle's coordinates are long: how far it is in cells
-    SurfacePlace held = place;
-    held.xi = std::clamp(held.xi, 0.0, 1.0);
-    held.eta = std::clamp(held.eta, 0.0, is_triangle(facet) ? 1.0 - held.xi : 1.0);
-    const double way = length(minus(this->material(held), material));
-    if (way < least) {
+    if (const double way = away(place); way < least) {
       least = way;
       nearest = place;
     }
