@@ -213,7 +213,7 @@ TEST(Stack, CapstanOfTwoPlies) {
   double sum = 0.0;
   int count = 0, seen = 0;
   double from = 0.0, before = 0.0;
-  world.run_to(0.5);
+  world.run_to(0.42);
   world.run_to(0.97, [&] {
     if (++seen % 100 != 0) return;
     const double now = slip();
