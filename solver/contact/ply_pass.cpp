@@ -7,10 +7,10 @@
 namespace weaveform {
 namespace {
 
-constexpr double cell_border = 1e-3;  // of a cell: a foot goes on to the next one when it is so far out
-constexpr double ply_border = 0.3;    // of a cell: a foot is off the ply when it is so far out
-constexpr int tidy_every = 8;         // steps; from one look at feet that have left their cell, or the ply, to the next
-constexpr double safe_part = 0.5;     // of a measured clearance: distances along normals are not quite the least ones
+constexpr double cell_border = 1e-6;    // of a cell: a foot goes on to the next one when it is so far out
+constexpr double ply_border = 0.3;      // of a cell: a foot is off the ply when it is so far out
+constexpr int tidy_every = 8;           // steps; from one look at feet that have left the ply to the next
+constexpr double safe_part = 0.5;       // of a measured clearance: distances along normals are not quite the least ones
 constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
@@ -204,7 +204,7 @@ void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time
   if (sums.depth > touch_) add(nodes, number, block.first, block.count, forces, back);
   if (triangles_[number] > 0) look_at_triangles(number, frame, per_time, sums, back);
   measured_[number] = sums.depth > touch_ ? 1 : 0;
-  if (tidies && sums.outside > cell_border) move_feet(number);
+  if (sums.outside > cell_border) move_feet(number, tidies);
   const double room = measured_[number] != 0 ? 0.0 : clearance(number, sums.depth);
   clear_[number] = room > 0.0 ? 1 : 0;
   far_[number] = room > 0.0 ? own_.way + other_.way + room : nothing;
@@ -276,24 +276,28 @@ bool PlyPassState::may_come_back(int lane, const SurfacePlace& place) const {
   return depth_at(lane, place, own_.normal(node)) < pressed + come_back_part * law_.softening;
 }
 
-// To the next cell, or off the ply.
-void PlyPassState::move_feet(int number) {
+// To the next cell at once: on a cell left behind the depth is another, and the step to the next one would come with
+// energy from nowhere. Off the ply, or along its edge, it has time.
+void PlyPassState::move_feet(int number, bool tidies) {
   const PlySurface& surface = other_.surface();
   const PlyBlock& block = own_.blocks()[number];
   for (int l = block.at; l < block.at + block.count; ++l) {
     if (stiffness_[l] == 0.0) continue;
     const SurfacePlace now = place_of(l);
-    if (!faces(l, now)) {
+    if (tidies && !faces(l, now)) {
       turn_off(l);
       continue;
     }
     if (surface.outside(now) <= cell_border) continue;
-    const SurfacePlace next = surface.near(surface.material(now));
+    const Vec2 material = surface.material(now);
+    SurfacePlace next = surface.find(material);
+    if (next.facet < 0 && !tidies) continue;
+    if (next.facet < 0) next = surface.near(material);
     if (next.facet < 0 || surface.away(next) > ply_border) {
       turn_off(l);
       continue;
     }
-    if (surface.away(now) <= surface.away(next) + cell_border) continue;  // the nearest already
+    if (next.facet == now.facet || surface.away(now) <= surface.away(next)) continue;  // the nearest already
     const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
     const Vec2 drag = surface.carried_over({drag_[1][l], drag_[2][l]}, now.facet, next.facet);
     put(l, next);
