@@ -7,8 +7,9 @@
 namespace weaveform {
 namespace {
 
-constexpr double cell_border = 1e-6;    // of a cell: a foot goes on to the next one when it is so far out
-constexpr double ply_border = 0.3;      // of a cell: a foot is off the ply when it is so far out
+constexpr double cell_border = 1e-6;  // of a cell: a foot goes on to the next one when it is so far out
+// Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
+constexpr double ply_border = 0.3, triangle_border = 0.05;
 constexpr int tidy_every = 8;           // steps; from one look at feet that have left the ply to the next
 constexpr double safe_part = 0.5;       // of a measured clearance: distances along normals are not quite the least ones
 constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
@@ -276,6 +277,12 @@ bool PlyPassState::may_come_back(int lane, const SurfacePlace& place) const {
   return depth_at(lane, place, own_.normal(node)) < pressed + come_back_part * law_.softening;
 }
 
+// Whether a foot beside the ply still counts as on it.
+bool PlyPassState::holds_on(const SurfacePlace& place) const {
+  return other_.surface().is_triangle(place.facet) ? other_.surface().outside(place) <= triangle_border
+                                                   : other_.surface().away(place) <= ply_border;
+}
+
 // To the next cell at once: on a cell left behind the depth is another, and the step to the next one would come with
 // energy from nowhere. Off the ply, or along its edge, it has time.
 void PlyPassState::move_feet(int number, bool tidies) {
@@ -293,11 +300,11 @@ void PlyPassState::move_feet(int number, bool tidies) {
     SurfacePlace next = surface.find(material);
     if (next.facet < 0 && !tidies) continue;
     if (next.facet < 0) next = surface.near(material);
-    if (next.facet < 0 || surface.away(next) > ply_border) {
-      turn_off(l);
-      continue;
+    if (next.facet < 0 || !holds_on(next) || surface.away(now) <= surface.away(next)) {
+      if (!holds_on(now)) turn_off(l);
+      continue;  // the nearest already
     }
-    if (next.facet == now.facet || surface.away(now) <= surface.away(next)) continue;  // the nearest already
+    if (next.facet == now.facet) continue;
     const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
     const Vec2 drag = surface.carried_over({drag_[1][l], drag_[2][l]}, now.facet, next.facet);
     put(l, next);

@@ -1,8 +1,7 @@
 // The nodes of one ply against the surface of another: where their feet are, and what acts there.
 //
-// A node whose foot is off the other ply has no spring. At the ply's edge a foot stays on
-// until it has left it by 0.3 of a cell, for there lies half a yarn more, and plies of one outline would else lose each
-// other at every quiver.
+// A node whose foot is off the other ply has no spring. At the ply's edge a foot stays on until it has left a whole cell
+// by 0.3 of it, for there lies half a yarn more, and plies of one outline would else lose each other at every quiver.
 //
 // Culling as in contact.hpp: a block of nodes that is clear of the surface is not looked at until both plies can have
 // moved so far. Blocks are looked at in parallel, each in a chunk that has its own list of what the other ply takes,
@@ -84,6 +83,7 @@ private:
   [[nodiscard]] SurfacePlace start_of_search(int lane, const SurfacePlace& before) const;
   [[nodiscard]] bool faces(int lane, const SurfacePlace& place) const;
   [[nodiscard]] bool may_come_back(int lane, const SurfacePlace& place) const;
+  [[nodiscard]] bool holds_on(const SurfacePlace& place) const;
   void count_off(int block);
   void move_feet(int block, bool tidies);
   void find_again(int block);
