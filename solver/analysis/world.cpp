@@ -63,10 +63,15 @@ void World::make_tools(const WorldSetup& setup) {
     sprung.push_back({.mass = ply->mass(),
                       .frequency = contact_frequency(scene_.analysis, ply->fabric_step()),
                       .fabric_frequency = 2.0 / ply->fabric_step()});
-  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, plies_.front()->mesh(), duration_, sprung);
+  double least_spacing = std::numeric_limits<double>::infinity();
+  for (const auto& ply : plies_)
+    least_spacing = std::min({least_spacing, ply->mesh().spacing[0], ply->mesh().spacing[1]});
+  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, plies_.front()->mesh().symmetry, least_spacing, duration_,
+                                        sprung);
   for (std::size_t k = 0; k < plies_.size(); ++k) {
     Ply& ply = *plies_[k];
-    auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team);
+    auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team,
+                                             setup.plies[k].tools);
     contacts_.push_back(contact.get());
     loads_.push_back(&contact->loads());
     ply.add(std::move(contact));
@@ -75,7 +80,8 @@ void World::make_tools(const WorldSetup& setup) {
 
 void World::start() {
   if (const double size = scene_.analysis.perturbation; size > 0.0)
-    for (auto& ply : plies_) ply->perturb(size, static_cast<std::uint64_t>(scene_.analysis.perturbation_seed));
+    for (std::size_t k = 0; k < plies_.size(); ++k)  // each ply its own
+      plies_[k]->perturb(size, static_cast<std::uint64_t>(scene_.analysis.perturbation_seed) + k);
   renew_step();
   compute_forces();
   if (passes_reach()) renew_step();

@@ -24,7 +24,8 @@ struct PlyInput {
   const Mesh& whole;
   const SymmetricPart* part = nullptr;
   const Card& card;
-  const Scene& scene;  // its model, grips and frame
+  const Scene& scene;                        // its model, grips and frame
+  const std::vector<Tool>* tools = nullptr;  // at this ply's own distance from them; none: the world's
 };
 
 // `scene` says analysis, tools and output; `tools` are those of the scene in its order, made (mesher/tools/tool.hpp).
@@ -36,7 +37,7 @@ struct WorldSetup {
   Loading loading;
   // Of each pair of plies, which then touch (ply_contact.hpp); none: they do not know of each other.
   std::function<PairLaw(int lower, int upper)> pair_law = nullptr;
-  std::vector<std::string> ply_names = {};  // for messages
+  std::vector<std::string> ply_names = {};                        // for messages
   double longest_step = std::numeric_limits<double>::infinity();  // s; none is taken that is longer
   Team& team;
 };

@@ -27,6 +27,7 @@
 #include "solver/state/actor.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/state/contact_state.hpp"
+#include "solver/state/ply_contact_state.hpp"
 #include "solver/state/team.hpp"
 
 namespace weaveform {
@@ -68,17 +69,6 @@ struct PairReading {
   double stored = 0.0;             // mJ; in the springs
   double friction_work = 0.0;      // mJ; lost so far
   double damping_work = 0.0;       // mJ; likewise
-};
-
-// Per mesh node of a ply.
-struct PlyContactState {
-  // mm; of the node against the material of the other ply it lay on at the start, of the two faces on the one whose
-  // path is longer (the upper where both are the same)
-  std::vector<Vec3> slip;
-  std::vector<double> slip_path;        // mm; length of its way over that material while the two touched
-  std::vector<double> pressure;         // MPa; of the face where it is greater
-  std::vector<int> other;               // the ply there, from 0; -1: nothing touches
-  std::vector<FrictionState> friction;  // there
 };
 
 class PlyContact {

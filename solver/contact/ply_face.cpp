@@ -6,6 +6,16 @@
 #include "solver/contact/node_area.hpp"
 
 namespace weaveform {
+namespace {
+
+// a + s M b and b + s M a, M the mirroring.
+std::array<Vec3, 2> with_images(const std::array<Vec3, 2>& of, const Vec3& normal, double swaps) {
+  const SymmetryPlane plane{{0.0, 0.0, 0.0}, normal};
+  return {plus(of[0], scaled(mirrored_vector(of[1], plane), swaps)),
+          plus(of[1], scaled(mirrored_vector(of[0], plane), swaps))};
+}
+
+}  // namespace
 
 PlyFace::PlyFace(Ply& ply, std::string name)
     : ply_(ply),
@@ -16,9 +26,7 @@ PlyFace::PlyFace(Ply& ply, std::string name)
       mesh_of_packed_(ply.packed().nodes, -1) {
   const Mesh& mesh = ply.mesh();
   for (int n = 0; n < mesh.node_count(); ++n) mesh_of_packed_[ply.packed().packed_of_mesh[n]] = mesh.shown_node(n);
-  for (std::size_t k = 0; k < mesh.symmetry.plane.size(); ++k)
-    for (const int n : mesh.symmetry.on_plane[k])
-      flat_[ply.packed().packed_of_mesh[n]].push_back(mesh.symmetry.plane[k].normal);
+  find_planes();
   make_blocks();
   find_irregular();
   double mass = 0.0, area = 0.0;
@@ -30,6 +38,27 @@ PlyFace::PlyFace(Ply& ply, std::string name)
   touching_.density = area > 0.0 ? mass / area : 0.0;
   touching_.spacing = std::min(mesh.spacing[0], mesh.spacing[1]);
   touching_.node_mass = touching_.density * mesh.spacing[0] * mesh.spacing[1];
+}
+
+// Blanks that are mirrored start flat, their normal up.
+void PlyFace::find_planes() {
+  constexpr double a_quarter = 0.25;  // of the square: yarns run along a plane, across it, or at 45 deg to it
+  const Mesh& mesh = ply_.mesh();
+  for (std::size_t k = 0; k < mesh.symmetry.plane.size(); ++k)
+    for (const int n : mesh.symmetry.on_plane[k]) {
+      const int packed = ply_.packed().packed_of_mesh[n];
+      const SymmetryPlane& plane = mesh.symmetry.plane[k];
+      const auto [a, b] = between_arms(packed);
+      const bool warp = dot(a, a) > 0.0;
+      const Vec3& way = warp ? a : b;
+      const double across = dot(way, plane.normal), part = across * across / dot(way, way);
+      double swaps = 0.0;
+      if (part > a_quarter && part < 1.0 - a_quarter) {
+        const Vec3 image = mirrored_vector(way, plane);
+        swaps = (warp ? cross(way, image) : cross(image, way))[2] > 0.0 ? 1.0 : -1.0;
+      }
+      flat_[packed].push_back({plane.normal, swaps});
+    }
 }
 
 void PlyFace::make_blocks() {
@@ -85,11 +114,20 @@ Vec3 PlyFace::position(int node) const {
   return {x[0][node], x[1][node], x[2][node]};
 }
 
+// In a plane that swaps the families the arms beyond it are missing: they are images of the other family's.
+std::array<Vec3, 2> PlyFace::between_arms(int node) const {
+  const auto& arm = arms_[node].arm;
+  return {minus(position(arm[1]), position(arm[0])), minus(position(arm[3]), position(arm[2]))};
+}
+
 // The image of what lies on one side of a plane lies on the other, and what is between them does not lean.
 std::array<Vec3, 2> PlyFace::between_neighbours(int node) const {
-  const auto& arm = arms_[node].arm;
-  std::array<Vec3, 2> way = {minus(position(arm[1]), position(arm[0])), minus(position(arm[3]), position(arm[2]))};
-  for (const auto& plane : flat_[node]) {
+  std::array<Vec3, 2> way = between_arms(node);
+  for (const auto& [plane, swaps] : flat_[node]) {
+    if (swaps != 0.0) {
+      way = with_images(way, plane, swaps);
+      continue;
+    }
     // along the plane or across it, whichever the yarn is
     for (auto& one : way) {
       const double across = dot(one, plane);
@@ -172,11 +210,17 @@ void PlyFace::take_irregular_levers() {
   auto& force = state().force;
   for (std::size_t k = 0; k < irregular_.size(); ++k) {
     const auto& arm = arms_[irregular_[k]].arm;
+    const auto& sum = irregular_lever_[k];
+    // the vectors as they are made of the arms' are their own transpose, and so the levers
+    std::array<Vec3, 2> lever = {Vec3{sum[0], sum[1], sum[2]}, Vec3{sum[3], sum[4], sum[5]}};
+    const auto& planes = flat_[irregular_[k]];
+    for (auto plane = planes.rbegin(); plane != planes.rend(); ++plane)
+      if (plane->swaps != 0.0) lever = with_images(lever, plane->normal, plane->swaps);
     for (std::size_t c = 0; c < 3; ++c) {
-      force[c][arm[1]] += irregular_lever_[k][c];
-      force[c][arm[0]] -= irregular_lever_[k][c];
-      force[c][arm[3]] += irregular_lever_[k][c + 3];
-      force[c][arm[2]] -= irregular_lever_[k][c + 3];
+      force[c][arm[1]] += lever[0][c];
+      force[c][arm[0]] -= lever[0][c];
+      force[c][arm[3]] += lever[1][c];
+      force[c][arm[2]] -= lever[1][c];
     }
   }
 }

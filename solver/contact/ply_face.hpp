@@ -73,8 +73,16 @@ private:
   PlySurface surface_;
   std::vector<NodeArms> arms_;
   std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
-  std::vector<std::vector<Vec3>> flat_;           // per packed node in a mirror plane: the planes' normals
-  std::array<Doubles, 6> lever_;                  // N; a row before and behind the packed nodes', 0 at irregular nodes
+  // A mirror plane that a node lies in. Its yarns run along or across the plane (swaps 0), or it mirrors each family onto
+  // the other (1 where a warp's image runs as the weft does, -1 where against it).
+  struct InPlane {
+    Vec3 normal;
+    double swaps;
+  };
+  void find_planes();
+  [[nodiscard]] std::array<Vec3, 2> between_arms(int packed) const;
+  std::vector<std::vector<InPlane>> flat_;  // per packed node
+  std::array<Doubles, 6> lever_;            // N; a row before and behind the packed nodes', 0 at irregular nodes
   std::vector<std::array<double, 6>> irregular_lever_;  // N
   std::vector<char> has_levers_;                        // per block
   std::vector<PlyBlock> blocks_;
