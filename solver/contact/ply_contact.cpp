@@ -18,7 +18,6 @@ constexpr double stack_tolerance = 1e-6;  // mm; a start this deep counts as tou
 constexpr double draped_tolerance = 0.1;  // of the thickness; surfaces of chords laid over a tool meet no better
 constexpr double wakes_within = 0.25;  // of the thinner ply's thickness: a pair that is nearer is looked at by blocks
 constexpr double safe_part_asleep = 0.5;  // of a pair's measured gap
-constexpr int look_for_lost_every = 16;   // steps; a foot comes back to a ply's edge, at most so late
 constexpr int lanes_in_chunk = 4000, most_chunks = 4;
 constexpr int segments_to_fold = 32;
 
@@ -142,7 +141,7 @@ void PlyContact::add_forces() {
     for (auto& pass : pair.pass) gap = std::min(gap, pass.search());
     parts.sleep_or_wake(pair, gap);
   }
-  parts.look(step_made > 0.0 ? 1.0 / step_made : 0.0, first.step % look_for_lost_every == 0);
+  parts.look(step_made > 0.0 ? 1.0 / step_made : 0.0);
   parts.fold();
   for (auto& pair : parts.pair) parts.read(pair);
   parts.wall_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -166,7 +165,7 @@ void PlyContact::Parts::count_ways(double step_made) {
 }
 
 // A chunk writes forces of its own nodes and its own lists.
-void PlyContact::Parts::look(double inverse_time, bool look_for_lost) {
+void PlyContact::Parts::look(double inverse_time) {
   team.run(static_cast<int>(chunk.size()), [&](int c) {
     Chunk& its = chunk[c];
     std::vector<int> awake;
@@ -183,7 +182,7 @@ void PlyContact::Parts::look(double inverse_time, bool look_for_lost) {
         }
         if (!with_frame) face[its.ply].frame(b, frame);
         with_frame = true;
-        pass(p).look(b, frame, inverse_time, look_for_lost, its.back[p]);
+        pass(p).look(b, frame, inverse_time, its.back[p]);
       }
     }
   });

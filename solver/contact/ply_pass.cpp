@@ -7,9 +7,12 @@
 namespace weaveform {
 namespace {
 
-constexpr double cell_border = 1e-3;  // of a cell: a foot goes on to the next one when it is so far out
-constexpr double ply_border = 0.05;   // of a cell: a foot is off the ply when it is so far out
-constexpr double safe_part = 0.5;     // of a measured clearance: distances along normals are not quite the least ones
+constexpr double cell_border = 1e-6;  // of a cell: a foot goes on to the next one when it is so far out
+// Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
+constexpr double ply_border = 0.3, triangle_border = 0.05;
+constexpr int tidy_every = 8;           // steps; from one look at feet that have left the ply to the next
+constexpr double safe_part = 0.5;       // of a measured clearance: distances along normals are not quite the least ones
+constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
 void add_sums(const PlyPassSums& one, PlyPassSums& all) {
@@ -186,11 +189,12 @@ PlyPassNodes PlyPassState::nodes_of(int number, const BlockFrame& frame) {
   return nodes;
 }
 
-void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time, bool look_for_lost, PlyReturn& back) {
+void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time, PlyReturn& back) {
   const PlyBlock& block = own_.blocks()[number];
   const bool was_clear = clear_[number] != 0;
   if (was_clear) find_again(number);
-  if (look_for_lost && off_[number] > 0) find_lost(number);
+  const bool tidies = (own_.state().step + number) % tidy_every == 0;
+  if (tidies && off_[number] > 0) find_lost(number);
   const double per_time = was_clear ? 0.0 : inverse_time;
   const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
   const PlyLoops& loops = loops_of_plies();
@@ -201,7 +205,7 @@ void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time
   if (sums.depth > touch_) add(nodes, number, block.first, block.count, forces, back);
   if (triangles_[number] > 0) look_at_triangles(number, frame, per_time, sums, back);
   measured_[number] = sums.depth > touch_ ? 1 : 0;
-  if (sums.outside > cell_border) move_feet(number);
+  if (sums.outside > cell_border) move_feet(number, tidies);
   const double room = measured_[number] != 0 ? 0.0 : clearance(number, sums.depth);
   clear_[number] = room > 0.0 ? 1 : 0;
   far_[number] = room > 0.0 ? own_.way + other_.way + room : nothing;
@@ -263,33 +267,44 @@ bool PlyPassState::faces(int lane, const SurfacePlace& place) const {
 }
 
 // A foot that was off, beside the ply or in a fold, comes back where hardly anything happens by that: no deeper than its
-// neighbours' are pressed. Deeper, a spring that nobody has pressed would push it.
+// neighbours' have been pressed. Deeper, a spring that nobody has pressed would push it.
 bool PlyPassState::may_come_back(int lane, const SurfacePlace& place) const {
   if (!faces(lane, place)) return false;
   const int node = own_.node_of(lane);
   double pressed = 0.0;
   for (const int beside : own_.arms(node).arm)
     if (const int l = own_.lane_of(beside); l >= 0 && stiffness_[l] > 0.0) pressed = std::max(pressed, depth_[l]);
-  return depth_at(lane, place, own_.normal(node)) < pressed + law_.softening;
+  return depth_at(lane, place, own_.normal(node)) < pressed + come_back_part * law_.softening;
 }
 
-// To the next cell, or off the ply.
-void PlyPassState::move_feet(int number) {
+// Whether a foot beside the ply still counts as on it.
+bool PlyPassState::holds_on(const SurfacePlace& place) const {
+  return other_.surface().is_triangle(place.facet) ? other_.surface().outside(place) <= triangle_border
+                                                   : other_.surface().away(place) <= ply_border;
+}
+
+// To the next cell at once: on a cell left behind the depth is another, and the step to the next one would come with
+// energy from nowhere. Off the ply, or along its edge, it has time.
+void PlyPassState::move_feet(int number, bool tidies) {
   const PlySurface& surface = other_.surface();
   const PlyBlock& block = own_.blocks()[number];
   for (int l = block.at; l < block.at + block.count; ++l) {
     if (stiffness_[l] == 0.0) continue;
     const SurfacePlace now = place_of(l);
-    if (!faces(l, now)) {
+    if (tidies && !faces(l, now)) {
       turn_off(l);
       continue;
     }
     if (surface.outside(now) <= cell_border) continue;
-    const SurfacePlace next = surface.find(surface.material(now));
-    if (next.facet < 0) {
-      if (surface.outside(now) > ply_border) turn_off(l);
-      continue;
+    const Vec2 material = surface.material(now);
+    SurfacePlace next = surface.find(material);
+    if (next.facet < 0 && !tidies) continue;
+    if (next.facet < 0) next = surface.near(material);
+    if (next.facet < 0 || !holds_on(next) || surface.away(now) <= surface.away(next)) {
+      if (!holds_on(now)) turn_off(l);
+      continue;  // the nearest already
     }
+    if (next.facet == now.facet) continue;
     const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
     const Vec2 drag = surface.carried_over({drag_[1][l], drag_[2][l]}, now.facet, next.facet);
     put(l, next);
@@ -304,27 +319,19 @@ void PlyPassState::move_feet(int number) {
 
 // After steps without a look feet may be anywhere; nothing is stretched where nothing touched.
 void PlyPassState::find_again(int number) {
-  const PlySurface& surface = other_.surface();
   const PlyBlock& block = own_.blocks()[number];
-  for (int l = block.at; l < block.at + block.count; ++l) {
-    if (facet_[l] < 0) continue;
-    const bool was_on = stiffness_[l] > 0.0;
-    SurfacePlace place = place_of(l);
-    const Vec3 normal = own_.normal(own_.node_of(l));
-    const bool meets = surface.follow(place, own_.position(own_.node_of(l)), normal, other_.state().position);
-    if (meets) put(l, place);
-    if (meets && surface.outside(place) <= (was_on ? ply_border : 0.0) && may_come_back(l, place))
-      turn_on(l, place, depth_at(l, place, normal));
-    else
-      turn_off(l);
-  }
-  count_off(number);
+  for (int l = block.at; l < block.at + block.count; ++l)
+    if (facet_[l] >= 0) turn_off(l);
+  find_lost(number);
 }
 
-// Feet that are off, from where they left or from where a neighbour's is.
+// Feet that are off, from where they left or from where a neighbour's is. First all are found, then those come back that
+// may: none because of another that has only just come.
 void PlyPassState::find_lost(int number) {
   const PlySurface& surface = other_.surface();
   const PlyBlock& block = own_.blocks()[number];
+  std::array<int, ply_nodes_at_a_time> back{};
+  int count = 0;
   for (int l = block.at; l < block.at + block.count; ++l) {
     if (stiffness_[l] > 0.0) continue;
     const int node = own_.node_of(l);
@@ -332,10 +339,13 @@ void PlyPassState::find_lost(int number) {
     for (const int beside : own_.arms(node).arm)
       if (place.facet < 0 && own_.lane_of(beside) >= 0) place = place_of(own_.lane_of(beside));
     if (place.facet < 0) continue;
-    const Vec3 normal = own_.normal(node);
-    if (!surface.follow(place, own_.position(node), normal, other_.state().position)) continue;
+    if (!surface.follow(place, own_.position(node), own_.normal(node), other_.state().position)) continue;
     put(l, place);
-    if (surface.outside(place) <= 0.0 && may_come_back(l, place)) turn_on(l, place, depth_at(l, place, normal));
+    if (surface.outside(place) <= cell_border && may_come_back(l, place)) back[count++] = l;
+  }
+  for (int k = 0; k < count; ++k) {
+    const SurfacePlace place = place_of(back[k]);
+    turn_on(back[k], place, depth_at(back[k], place, own_.normal(own_.node_of(back[k]))));
   }
   count_off(number);
 }
@@ -347,13 +357,7 @@ double PlyPassState::clearance(int number, double depth) const {
   const PlyBlock& block = own_.blocks()[number];
   for (int l = block.at; l < block.at + block.count && room > 0.0; ++l) {
     if (stiffness_[l] > 0.0 || facet_[l] < 0) continue;
-    SurfacePlace held = place_of(l);
-    const Vec2 now = other_.surface().material(held);
-    held.xi = std::clamp(held.xi, 0.0, 1.0);
-    held.eta = std::clamp(held.eta, 0.0, other_.surface().is_triangle(held.facet) ? 1.0 - held.xi : 1.0);
-    const Vec2 edge = other_.surface().material(held);
-    room = std::min(
-        room, safe_part * other_.touching().spacing * std::max(std::abs(now[0] - edge[0]), std::abs(now[1] - edge[1])));
+    room = std::min(room, safe_part * other_.touching().spacing * other_.surface().away(place_of(l)));
   }
   return std::max(room, 0.0);
 }

@@ -1,7 +1,7 @@
 // The nodes of one ply against the surface of another: where their feet are, and what acts there.
 //
-// A node whose foot is off the other ply has no spring. Feet stay on the cell they are on until they have left it by a
-// thousandth, so that none goes back and forth over a line; at the ply's edge until they have left it by a twentieth.
+// A node whose foot is off the other ply has no spring. At the ply's edge a foot stays on until it has left a whole cell
+// by 0.3 of it, for there lies half a yarn more, and plies of one outline would else lose each other at every quiver.
 //
 // Culling as in contact.hpp: a block of nodes that is clear of the surface is not looked at until both plies can have
 // moved so far. Blocks are looked at in parallel, each in a chunk that has its own list of what the other ply takes,
@@ -40,7 +40,7 @@ public:
   // Whether the block can touch now.
   [[nodiscard]] bool is_near(int block) const { return far_[block] <= own_.way + other_.way; }
   // Forces of a block: added to own state().force, and to `back`. `inverse_time` as in ply_kernel.hpp.
-  void look(int block, const BlockFrame& frame, double inverse_time, bool look_for_lost, PlyReturn& back);
+  void look(int block, const BlockFrame& frame, double inverse_time, PlyReturn& back);
   void pass_over(int block) { measured_[block] = 0; }
 
   // Of all blocks that touched in the last step, in order.
@@ -83,8 +83,9 @@ private:
   [[nodiscard]] SurfacePlace start_of_search(int lane, const SurfacePlace& before) const;
   [[nodiscard]] bool faces(int lane, const SurfacePlace& place) const;
   [[nodiscard]] bool may_come_back(int lane, const SurfacePlace& place) const;
+  [[nodiscard]] bool holds_on(const SurfacePlace& place) const;
   void count_off(int block);
-  void move_feet(int block);
+  void move_feet(int block, bool tidies);
   void find_again(int block);
   void find_lost(int block);
   [[nodiscard]] double clearance(int block, double depth) const;

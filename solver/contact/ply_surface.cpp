@@ -7,8 +7,10 @@
 namespace weaveform {
 namespace {
 
-constexpr double border = 1e-9;          // of a cell: this far outside still counts as inside
-constexpr double least_triangle = 1e-6;  // of a cell's area; slimmer ones are none
+constexpr double border = 1e-9;  // of a cell: this far outside still counts as inside
+// Of a cell: triangles of less height are none. What lies on them lies on the cell beside them, by less than its foot may
+// be outside (ply_pass.hpp), and no spring hangs on nodes that nearly coincide.
+constexpr double least_height = 0.15;
 const double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // (u, v) of every mesh node: a yarn end lies on its yarn's line, its rest length away from the crossing.
@@ -52,7 +54,8 @@ void PlySurface::add_triangles(const Mesh& mesh, const PackedMesh& packed) {
     for (int k = begin + 1; k + 1 < end; ++k) {
       const std::array<int, 3> node = {mesh.cells.node[begin], mesh.cells.node[k], mesh.cells.node[k + 1]};
       const Vec2 origin = place[node[0]], first = minus(place[node[1]], origin), second = minus(place[node[2]], origin);
-      if (!(cross(first, second) > least_triangle)) continue;
+      const double longest = std::max({length(first), length(second), length(minus(second, first))});
+      if (!(cross(first, second) > least_height * longest)) continue;
       triangle_.push_back(
           {{packed.packed_of_mesh[node[0]], packed.packed_of_mesh[node[1]], packed.packed_of_mesh[node[2]]},
            origin,
@@ -120,6 +123,14 @@ double PlySurface::outside(const SurfacePlace& place) const {
   return outside_of(is_triangle(place.facet), place.xi, place.eta);
 }
 
+// To the point that clamping gives: not quite the nearest of a triangle.
+double PlySurface::away(const SurfacePlace& place) const {
+  SurfacePlace held = place;
+  held.xi = std::clamp(held.xi, 0.0, 1.0);
+  held.eta = std::clamp(held.eta, 0.0, is_triangle(place.facet) ? 1.0 - held.xi : 1.0);
+  return length(minus(material(held), material(place)));
+}
+
 SurfacePlace PlySurface::find(const Vec2& material) const {
   if (!(std::abs(material[0]) < 1e8 && std::abs(material[1]) < 1e8)) return {};
   // on a line between cells either will do
@@ -145,12 +156,7 @@ SurfacePlace PlySurface::near(const Vec2& material) const {
   double least = std::numeric_limits<double>::infinity();
   const auto try_facet = [&](int facet) {
     const auto place = on_facet(facet, material);
-    // a slim triangle's coordinates are long: how far it is in cells
-    SurfacePlace held = place;
-    held.xi = std::clamp(held.xi, 0.0, 1.0);
-    held.eta = std::clamp(held.eta, 0.0, is_triangle(facet) ? 1.0 - held.xi : 1.0);
-    const double way = length(minus(this->material(held), material));
-    if (way < least) {
+    if (const double way = away(place); way < least) {
       least = way;
       nearest = place;
     }

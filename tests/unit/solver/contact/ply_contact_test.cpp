@@ -161,21 +161,21 @@ TEST(PlyContact, PliesMeetWhereAPlyBetweenThemEnds) {
   Stack stack(
       {piece({80.0, 80.0}, 1.0, 0.0, 0.0), piece({24.0, 24.0}, 1.0, 0.0, t), piece({80.0, 80.0}, 1.0, 45.0, 2.0 * t)});
   double sunk = 0.0;
-  for (; sunk < t + 0.05; sunk += 0.01) {
+  for (; sunk < t + 0.05; sunk += 0.002) {
     stack.place(2, [&](const Vec3& x) -> Vec3 {
       const double r = std::hypot(x[0], x[1]);
       const double part = std::clamp((r - 18.0) / 12.0, 0.0, 1.0);
       return {x[0], x[1], x[2] - sunk * part * part * (3.0 - 2.0 * part)};
     });
     State& state = stack.ply(2).state();
-    for (auto& v : state.velocity[2]) v = -0.01 / 1e-5;
+    for (auto& v : state.velocity[2]) v = -0.002 / 1e-5;
     stack.touch(1e-5);
   }
   const auto pairs = stack.contact().pairs();
   EXPECT_EQ(pairs[1].lower, 0);
   EXPECT_EQ(pairs[1].upper, 2);
   EXPECT_GT(pairs[1].force, 1.0);
-  EXPECT_NEAR(pairs[1].greatest_depth, sunk - 0.01 - t, 0.01);
+  EXPECT_NEAR(pairs[1].greatest_depth, sunk - 0.002 - t, 0.01);
   Vec3 sum = plus(stack.force(0), plus(stack.force(1), stack.force(2)));
   for (const double f : sum) EXPECT_NEAR(f, 0.0, 1e-10 * pairs[1].force);
 }
