@@ -2,11 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/vector/angle.hpp"
+#include "core/vector/append.hpp"
 #include "post/forming/forming.hpp"
 #include "post/measure/bias_comparison.hpp"
 #include "post/output/contours.hpp"
 #include "post/output/summary.hpp"
 #include "post/trust/warnings.hpp"
+#include "solver/result/stack_fields.hpp"
 
 namespace weaveform {
 
@@ -17,6 +24,70 @@ std::string unfinished_warning(const SolveStatistics& s) {
       "this run is not finished: everything here is of t = {:.4g} s of {:.4g} s ({:.3g} %); go on with "
       "--resume",
       s.time_s, s.duration_s, s.duration_s > 0.0 ? 100.0 * s.time_s / s.duration_s : 0.0);
+}
+
+// Of a stack each ply by itself.
+PlySummary summarise_ply(const Resolved& model, std::size_t number, const Fields& end, const History& history) {
+  const Resolved& ply = model.ply[number];
+  PlySummary summary;
+  summary.name = model.mesh.ply[number].name;
+  summary.material = ply.card.name;
+  summary.cells = ply.mesh.cells.size();
+  const int most = most_sheared_cell(end);
+  summary.max_shear_angle = std::abs(end.shear_angle[most]) * degrees_per_radian;
+  summary.at = cell_centre(ply.mesh.cells, most, end.position);
+  for (const double strain : end.yarn_strain) summary.max_yarn_strain = std::max(summary.max_yarn_strain, strain);
+  summary.folded = static_cast<int>(std::count(end.folded.begin(), end.folded.end(), true));
+  for (const double angle : end.shear_angle)
+    summary.beyond_card += std::abs(angle) * degrees_per_radian > ply.card.shear.valid_to_deg ? 1 : 0;
+  summary.forming = evaluate_forming(ply.scene, ply.mesh, ply.tools, end, history);
+  summary.folds = find_folds(ply.scene, ply.mesh, end.position);
+  return summary;
+}
+
+// Numbers of cells and nodes in a ply's lines are the ply's own.
+void evaluate_plies(const Resolved& model, const Fields& end, const History& history, Summary& summary) {
+  std::vector<std::string> of_plies;
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    const Resolved& ply = model.ply[k];
+    const Fields own = fields_of_ply(end, model.mesh, k);
+    summary.ply.push_back(summarise_ply(model, k, own, history));
+    Summary of_ply;
+    of_ply.statistics = summary.statistics;
+    of_ply.forming = summary.ply.back().forming;
+    of_ply.folds = summary.ply.back().folds;
+    for (const std::string& line :
+         warnings({ply.scene, ply.card, ply.mesh, ply.tools, ply.extent(), own, history, of_ply}, WarningsOf::one_ply))
+      of_plies.push_back(name_before(model, k) + line);
+  }
+  summary.warning = warnings({model.scene, model.card, model.mesh, model.tools, model.extent(), end, history, summary},
+                             WarningsOf::whole_run);
+  append(summary.warning, of_plies);
+}
+
+std::vector<Isoline> isolines_of(const Resolved& model, const Fields& end) {
+  const double step = model.scene.output.contour_step;
+  if (model.ply.empty()) return shear_angle_isolines(model.mesh, end, step);
+  std::vector<Isoline> all;
+  for (std::size_t k = 0; k < model.ply.size(); ++k)
+    for (Isoline& line : shear_angle_isolines(model.ply[k].mesh, fields_of_ply(end, model.mesh, k), step)) {
+      line.ply = static_cast<int>(k);
+      all.push_back(std::move(line));
+    }
+  return all;
+}
+
+// What forming says of a ply stands in its own folder.
+void write_forming_of_plies(const Resolved& model, const Evaluation& evaluation,
+                            const std::filesystem::path& directory) {
+  remove_files(directory, ply_files());
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    const PlySummary& ply = evaluation.summary.ply[k];
+    if (!ply.forming) continue;
+    const std::filesystem::path own = directory / file_name::plies / ply.name;
+    std::filesystem::create_directories(own);
+    write_forming(*ply.forming, model.ply[k].mesh, fields_of_ply(evaluation.end, model.mesh, k), own);
+  }
 }
 
 }  // namespace
@@ -31,19 +102,23 @@ Evaluation evaluate(ResultFolder& folder) {
   const Card& card = model.card;
   const Mesh& mesh = model.mesh;
   // computed anew from the positions, so that post and solver share one formula
-  Evaluation evaluation{compute_fields(mesh, card, scene.model, last.time, position), {}};
+  Evaluation evaluation{compute_fields(model, last.time, position), {}};
   const Fields& end = evaluation.end;
   Summary& summary = evaluation.summary;
   summary.statistics = statistics;
   summary.grip = summarise_grips(scene, history);
   summary.tool = summarise_tools(scene, history);
   summary.measure = summarise_measures(scene, history);
-  if (const auto specimen = find_bias_extension(scene))
-    summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
-  if (scene.frame) summary.frame = compare_shear_frame(scene, card, history);
-  summary.forming = evaluate_forming(scene, mesh, model.tools, end, history);
-  summary.folds = find_folds(scene, mesh, end.position);
-  summary.warning = warnings({scene, card, mesh, model.tools, model.extent(), end, history, summary});
+  if (model.ply.empty()) {
+    if (const auto specimen = find_bias_extension(scene))
+      summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
+    if (scene.frame) summary.frame = compare_shear_frame(scene, card, history);
+    summary.forming = evaluate_forming(scene, mesh, model.tools, end, history);
+    summary.folds = find_folds(scene, mesh, end.position);
+    summary.warning = warnings({scene, card, mesh, model.tools, model.extent(), end, history, summary});
+  } else {
+    evaluate_plies(model, end, history, summary);
+  }
   if (!statistics.finished) summary.warning.insert(summary.warning.begin(), unfinished_warning(statistics));
   return evaluation;
 }
@@ -54,16 +129,21 @@ PostAnswers post_process(ResultFolder& folder) {
 
 PostAnswers post_process(ResultFolder& folder, const Evaluation& evaluation) {
   const auto& [end, summary] = evaluation;
-  const Mesh& mesh = folder.model().mesh;
+  const Resolved& model = folder.model();
   const std::filesystem::path& directory = folder.directory();
-  write_contours(shear_angle_isolines(mesh, end, folder.scene().output.contour_step), directory / file_name::contours);
-  if (summary.forming) write_forming(*summary.forming, mesh, end, directory);
+  write_contours(isolines_of(model, end), directory / file_name::contours, !model.ply.empty());
+  if (summary.forming) write_forming(*summary.forming, model.mesh, end, directory);
+  if (!model.ply.empty()) write_forming_of_plies(model, evaluation, directory);
   write_summary(summary, directory / file_name::summary);
   return {summary_table(summary), summary.warning};
 }
 
+FileNames ply_files() {
+  return below(std::string(file_name::plies) + "/*", forming_files());
+}
+
 FileNames post_files() {
-  return joined({{file_name::contours, file_name::summary}, forming_files()});
+  return joined({{file_name::contours, file_name::summary}, forming_files(), ply_files()});
 }
 
 }  // namespace weaveform

@@ -10,6 +10,10 @@
 
 namespace weaveform {
 
+namespace file_name {
+inline constexpr const char* plies = "plies";
+}
+
 // What a result's last frame and its history come to.
 struct Evaluation {
   Fields end;
@@ -30,5 +34,7 @@ PostAnswers post_process(ResultFolder& folder);
 PostAnswers post_process(ResultFolder& folder, const Evaluation& evaluation);  // of that folder
 
 [[nodiscard]] FileNames post_files();
+// Of a stack: the files of forming/forming.hpp once for each ply, in plies/NAME.
+[[nodiscard]] FileNames ply_files();
 
 }  // namespace weaveform

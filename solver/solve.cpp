@@ -29,12 +29,13 @@ void compare_with_clean_run(const Resolved& model, const std::filesystem::path& 
                             SolveResult& result) {
   Resolved clean = model;
   clean.scene.analysis.perturbation = 0.0;
+  for (Resolved& ply : clean.ply) ply.scene.analysis.perturbation = 0.0;
   SolveOptions quiet = options;
   quiet.quiet = true;
   quiet.stop_at_step = 0;
   if (!directory.empty()) quiet.checkpoint_file = directory / file_name::clean_checkpoint;
   quiet.resume = options.resume && std::filesystem::exists(quiet.checkpoint_file);
-  const SolveResult reference = Analysis(clean, nullptr, {}, quiet).run();
+  const SolveResult reference = Analysis(clean, {}, {}, quiet).run();
   auto& s = result.statistics;
   s.perturbation_distance_mm = farthest(result.position, reference.position);
   s.perturbation_returned =
@@ -56,8 +57,7 @@ SolveResult solve(const Resolved& real, const std::filesystem::path& directory, 
   std::optional<Resolved> scaled;
   if (real.scene.analysis.mass_scale != 1.0) scaled = with_scaled_mass(real);
   const Resolved& model = scaled ? *scaled : real;
-  const std::optional<SymmetricPart> part = part_to_solve(model);
-  SolveResult result = Analysis(model, part ? &*part : nullptr, directory, options).run();
+  SolveResult result = Analysis(model, parts_to_solve(model), directory, options).run();
   if (model.scene.analysis.perturbation > 0.0) compare_with_clean_run(model, directory, options, result);
   if (!directory.empty()) close_run(result.statistics, directory);
   return result;

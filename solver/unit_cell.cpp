@@ -41,18 +41,18 @@ Mesh one_cell(const Card& card, const std::array<double, 2>& sides) {
   return mesh;
 }
 
-struct YarnDirections {
+struct CellYarns {
   std::array<double, 2> warp, weft;  // 1
 };
 
 // Unit yarn directions of the trellis: the warp turned by +gamma/2, the weft by -gamma/2, both by `turn`.
-YarnDirections trellis(double gamma, double turn) {
+CellYarns trellis(double gamma, double turn) {
   return {{std::cos(turn + 0.5 * gamma), std::sin(turn + 0.5 * gamma)},
           {-std::sin(turn - 0.5 * gamma), std::cos(turn - 0.5 * gamma)}};
 }
 
 // Their derivative by gamma at fixed turn.
-YarnDirections trellis_rate(double gamma, double turn) {
+CellYarns trellis_rate(double gamma, double turn) {
   return {{-0.5 * std::sin(turn + 0.5 * gamma), 0.5 * std::cos(turn + 0.5 * gamma)},
           {0.5 * std::cos(turn - 0.5 * gamma), 0.5 * std::sin(turn - 0.5 * gamma)}};
 }
@@ -65,7 +65,7 @@ ModelSpec in_plane(ModelSpec model) {
 }
 
 // A flat node carried along by the yarns: x = X_1 g1 + X_2 g2.
-double carried(const std::array<double, 3>& flat, const YarnDirections& g, int component) {
+double carried(const std::array<double, 3>& flat, const CellYarns& g, int component) {
   return flat[0] * g.warp[component] + flat[1] * g.weft[component];
 }
 
@@ -84,7 +84,7 @@ std::vector<UnitCellPoint> shear_unit_cell(const Card& card, const ModelSpec& mo
   for (int n = 1; n <= motion.increments; ++n) {
     const double part = static_cast<double>(n) / motion.increments;
     const double gamma = part * motion.angle, turn = part * motion.rotation;
-    const YarnDirections g = trellis(gamma, turn), rate = trellis_rate(gamma, turn);
+    const CellYarns g = trellis(gamma, turn), rate = trellis_rate(gamma, turn);
     for (int a = 0; a < 4; ++a)
       for (int c = 0; c < 2; ++c) state.position[c][packed.packed_of_mesh[a]] = carried(mesh.nodes.position[a], g, c);
     ply.compute_forces(0.0);

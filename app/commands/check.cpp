@@ -23,6 +23,13 @@ struct CheckArguments {
   bool resolved = false, json = false;
 };
 
+// Every line of it a comment of the scene that follows.
+std::string commented(const std::string& text) {
+  std::string lines = "# ";
+  for (const char c : text) lines += c == '\n' ? std::string("\n# ") : std::string(1, c);
+  return lines + "\n";
+}
+
 }  // namespace
 
 void add_check_command(CLI::App& program) {
@@ -39,7 +46,7 @@ void add_check_command(CLI::App& program) {
     log_warnings(early_warnings(model));
     const std::string resolved = arguments->resolved ? resolved_text(model) : "";
     if (arguments->json) return print_answer(json_text(check_json(model, expected, resolved)));
-    print_answer("# " + describe(model) + "\n# " + describe(expected) + "\n" + scene_to_toml(model.scene) + resolved);
+    print_answer(commented(describe(model)) + commented(describe(expected)) + scene_to_toml(model.scene) + resolved);
   });
 }
 

@@ -30,6 +30,10 @@ void make_drape(const DrapeArguments& arguments) {
   const Resolved model = checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes,
                                        Look::for_first_complaint, ResolveTo::flat);
   const Scene& scene = model.scene;
+  if (!scene.ply.empty())
+    throw InputError(scene.file +
+                     ": 'drape' lays one blank; a stack starts draped in 'mesh', 'solve' and 'run', each ply off those "
+                     "between it and the tool; leave [[ply]] out to see one net by itself");
   if (!scene.drape) throw InputError(scene.file + ": no [drape] table; add one with tool = \"NAME\"");
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);

@@ -18,10 +18,12 @@
 #include "core/files/files.hpp"
 #include "core/json/json_text.hpp"
 #include "core/keys/length_unit.hpp"
+#include "core/keys/nearest_name.hpp"
 #include "core/version/version.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/transfer/fibre_field.hpp"
+#include "post/transfer/layered.hpp"
 #include "post/transfer/write_fibre.hpp"
 #include "solver/analysis/loading.hpp"
 #include "solver/result/file_names.hpp"
@@ -33,6 +35,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double usual_group_angle = 1.0;  // deg
+
 struct ExportArguments {
   std::string from;  // scene file or folder
   std::vector<std::string> overrides;
@@ -42,6 +46,7 @@ struct ExportArguments {
   std::vector<double> position, rotation;
   std::optional<double> within, group_angle;
   std::string materials;  // of Materials; "" for the format's own
+  std::string ply;        // of a stack; "": all of them
   bool is_static = false;
   bool force = false, quiet = false, yes = false, json = false;
 };
@@ -52,6 +57,34 @@ Resolved model_of(const ExportArguments& arguments) {
   if (!arguments.overrides.empty())
     throw InputError("--set changes a scene, and a folder's mesh is made; export the scene file instead");
   return ResultFolder(arguments.from).model();
+}
+
+// Of a stack the number of the ply asked for; none: all.
+std::optional<std::size_t> ply_asked(const ExportArguments& arguments, const Resolved& model) {
+  if (arguments.ply.empty()) return {};
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    names.push_back(model.mesh.ply[k].name);
+    if (names.back() == arguments.ply) return k;
+  }
+  throw InputError(fmt::format("--ply {}: no such [[ply]]{}", arguments.ply,
+                               names.empty() ? "; the scene has none" : did_you_mean(arguments.ply, names)));
+}
+
+// The one ply that goes into a mesh for another code.
+Resolved one_ply_of(Resolved model, const ExportArguments& arguments) {
+  const auto asked = ply_asked(arguments, model);
+  if (model.ply.empty()) return model;
+  std::vector<std::string> names;
+  for (const MeshPly& ply : model.mesh.ply) names.push_back(ply.name);
+  if (!asked && model.ply.size() > 1)
+    throw InputError(
+        fmt::format("--format {} takes one ply of a stack, without what the others do to it; say with --ply "
+                    "which: {}",
+                    arguments.format, fmt::join(names, ", ")));
+  Resolved one = std::move(model.ply[asked.value_or(0)]);
+  one.mesh.first_shown = 0;
+  return one;
 }
 
 // What the command reads.
@@ -89,9 +122,9 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
     throw InputError(fmt::format("--materials built-in goes with lsdyna, openradioss and calculix; --format {} {}",
                                  arguments.format,
                                  format == MeshFormat::gmsh ? "has no materials" : "takes user materials"));
-  const Resolved model = model_of(arguments);
+  const Resolved model = one_ply_of(model_of(arguments), arguments);
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
-  const double duration = choose_loading(model.scene, model.card, model.extent()).duration;
+  const double duration = choose_loading(model).duration;
   ExportOptions options;
   options.materials = materials.value_or(Materials::built_in);
   options.is_static = arguments.is_static;
@@ -160,11 +193,10 @@ void warn_of_far_shells(const ExportArguments& arguments, const FibreField& fiel
 }
 
 FibreText fibre_text(const ExportArguments& arguments, FibreFormat format, const FibreField& field) {
-  constexpr double group_angle = 1.0;  // deg
   if (format == FibreFormat::csv) return fibre_csv(field);
   if (format == FibreFormat::orientation_abaqus) return orientation_abaqus(field, version_line());
   if (format == FibreFormat::orientation_calculix)
-    return orientation_calculix(field, arguments.group_angle.value_or(group_angle), version_line());
+    return orientation_calculix(field, arguments.group_angle.value_or(usual_group_angle), version_line());
   return drape_openradioss(field, version_line());
 }
 
@@ -193,6 +225,42 @@ nlohmann::ordered_json fibres_json(const ExportArguments& arguments, const Fibre
   return json;
 }
 
+FibreText layers_text(const ExportArguments& arguments, FibreFormat format, const std::vector<FibreLayer>& layers) {
+  if (format == FibreFormat::csv) return layers_csv(layers);
+  if (format == FibreFormat::orientation_abaqus) return layers_abaqus(layers, version_line());
+  if (format == FibreFormat::orientation_calculix)
+    return layers_calculix(layers, arguments.group_angle.value_or(usual_group_angle), version_line());
+  return layers_openradioss(layers, version_line());
+}
+
+// All plies of a stack: mapped onto one structural mesh, of which they are the layers, or one after another in a table.
+void export_layers(const ExportArguments& arguments, FibreFormat format, ResultFolder& result) {
+  if (format == FibreFormat::vtu)
+    throw InputError("--format vtu holds the fibres of one ply; say with --ply which, or take csv for all");
+  if (arguments.onto.empty() && format != FibreFormat::csv)
+    throw InputError(
+        fmt::format("--format {} makes the plies of a stack layers of a structural shell: give its mesh with --onto, "
+                    "or one ply with "
+                    "--ply",
+                    arguments.format));
+  std::vector<FibreLayer> layers = read_fibre_layers(result);
+  if (!arguments.onto.empty())
+    for (FibreLayer& layer : layers) {
+      layer.field = mapped(arguments, format, layer.field);
+      warn_of_far_shells(arguments, layer.field);
+    }
+  const FibreText file = layers_text(arguments, format, layers);
+  write_text_whole(arguments.output, file.text);
+  log_not_carried(arguments, file.not_carried);
+  if (arguments.json) {
+    nlohmann::ordered_json json = fibres_json(arguments, layers.front().field, file.not_carried);
+    for (const FibreLayer& layer : layers) json["layers"].push_back({{"ply", layer.ply}, {"material", layer.material}});
+    return print_answer(json_text(json));
+  }
+  if (!arguments.quiet)
+    print_answer(fmt::format("{}, {} layers", describe_fibres(arguments, layers.front().field), layers.size()));
+}
+
 void export_fibres(const ExportArguments& arguments, FibreFormat format) {
   if (arguments.is_static || !arguments.materials.empty())
     throw InputError(
@@ -206,7 +274,9 @@ void export_fibres(const ExportArguments& arguments, FibreFormat format) {
                    format == FibreFormat::csv   ? "thickness_mm,fibre_volume_ratio,"
                    : format == FibreFormat::vtu ? "Name=\"fibre_volume_ratio\""
                                                 : "");
-  FibreField field = read_fibre_field(result);
+  if (!result.scene().ply.empty() && arguments.ply.empty()) return export_layers(arguments, format, result);
+  FibreField field = arguments.ply.empty() ? read_fibre_field(result)
+                                           : read_fibre_field(result, ply_asked(arguments, result.model()).value());
   std::vector<std::string> not_carried;
   if (!arguments.onto.empty()) field = mapped(arguments, format, field);
   warn_of_far_shells(arguments, field);
@@ -284,6 +354,10 @@ void add_export_command(CLI::App& program) {
                    "lsdyna, openradioss: built-in (what the code has itself) or user (constants of a user material)")
       ->type_name("WHOSE")
       ->check(CLI::IsMember(choice_names<Materials>()));
+  command
+      ->add_option("--ply", arguments->ply,
+                   "Of a stack: the ply that is meant; left out: all, where the format has layers")
+      ->type_name("NAME");
   command->add_flag("--static", arguments->is_static, "calculix: *STATIC instead of *DYNAMIC; a plane scene");
   command
       ->add_option("--set", arguments->overrides,

@@ -53,6 +53,8 @@ void run_import(const ImportArguments& arguments) {
     model.card = load_card(model.scene.fabric.material, model.scene.file);
   } else {
     model.scene = read_scene(arguments.scene, arguments.overrides);
+    if (!model.scene.ply.empty())
+      throw InputError(arguments.scene + ": a mesh from elsewhere is one ply; leave [[ply]] and [stack] out");
     model.card = load_card(model.scene.fabric.material, model.scene.file);
     imported = import_foreign(file, model.scene, model.card, arguments.part);
   }

@@ -1,5 +1,7 @@
 #include "app/stages/checked_model.hpp"
 
+#include <memory>
+
 #include "app/stages/room.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/solve.hpp"
@@ -11,8 +13,9 @@ Resolved checked_model(const std::filesystem::path& scene_file, const std::vecto
   Findings found(look == Look::for_first_complaint ? Findings::Want::first : Findings::Want::all);
   const ResolveChecks checks{
       .of_card = [](const Scene& scene, const Card& card) { (void)choose_flexure(card, scene.model); },
-      .of_size = [yes](const Scene& scene, const Card& card,
-                       const BlankOutline& outline) { require_memory(scene, card, outline, yes); }};
+      .of_size = [yes, bytes = std::make_shared<double>(0.0)](
+                     const Scene& scene, const Card& card,
+                     const BlankOutline& outline) { *bytes = require_memory(scene, card, outline, yes, *bytes); }};
   Resolved model = resolve(scene_file, overrides, found, checks, to);
   if (look == Look::with_first_step && model.mesh.cells.size() > 0)
     found.attempt([&] {

@@ -6,6 +6,7 @@
 #include "app/study/accuracy.hpp"
 #include "fabric/card/card.hpp"
 #include "mesher/mesh/mesh_io.hpp"
+#include "mesher/resolve/stack_laws.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/scene/scene_copy.hpp"
 #include "mesher/tools/tool.hpp"
@@ -47,8 +48,13 @@ fs::path default_result_folder(const fs::path& scene_file) {
 
 std::vector<fs::path> input_files(const Scene& scene) {
   std::vector<fs::path> files = {scene.file};
-  if (!is_builtin_card(scene.fabric.material)) files.push_back(card_path(scene.fabric.material, scene.file));
-  if (!scene.blank.outline.empty()) files.push_back(fs::path(scene.file).parent_path() / scene.blank.outline);
+  const auto take = [&](const FabricSpec& fabric, const BlankSpec& blank) {
+    if (!is_builtin_card(fabric.material)) files.push_back(card_path(fabric.material, scene.file));
+    if (!blank.outline.empty()) files.push_back(fs::path(scene.file).parent_path() / blank.outline);
+  };
+  take(scene.fabric, scene.blank);
+  for (const PlySpec& ply : scene.ply) take(ply.fabric, ply.blank);
+  for (const std::string& law : law_files(scene)) files.emplace_back(law);
   for (const auto& tool : scene.tools)
     if (!tool.file.empty()) files.push_back(tool_path(tool.file, scene.file));
   return files;

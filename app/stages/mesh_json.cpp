@@ -10,12 +10,23 @@ namespace weaveform {
 
 nlohmann::ordered_json mesh_json(const Resolved& model) {
   const Mesh& mesh = model.mesh;
-  return {{"cells", mesh.cells.size()},
-          {"yarn_elements", mesh.yarn_count()},
-          {"nodes", mesh.node_count()},
-          {"spacing_mm", mesh.spacing},
-          {"coarsening",
-           std::array{mesh.spacing[1] / model.card.yarn[0].interval, mesh.spacing[0] / model.card.yarn[1].interval}}};
+  nlohmann::ordered_json json = {
+      {"cells", mesh.cells.size()}, {"yarn_elements", mesh.yarn_count()}, {"nodes", mesh.node_count()}};
+  if (model.ply.empty()) {
+    json["spacing_mm"] = mesh.spacing;
+    json["coarsening"] =
+        std::array{mesh.spacing[1] / model.card.yarn[0].interval, mesh.spacing[0] / model.card.yarn[1].interval};
+    return json;
+  }
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    const Resolved& ply = model.ply[k];
+    nlohmann::ordered_json own = mesh_json(ply);
+    own["material"] = ply.card.name;
+    own["thickness_mm"] = ply.mesh.thickness;
+    own["position_mm"] = ply.scene.blank.position;
+    json["plies"][mesh.ply[k].name] = std::move(own);
+  }
+  return json;
 }
 
 nlohmann::ordered_json check_json(const Resolved& model, const ExpectedRun& expected, const std::string& resolved) {

@@ -10,7 +10,7 @@
 namespace weaveform {
 
 // The numbers of describe(model): "cells", "yarn_elements", "nodes", "spacing_mm" and "coarsening" of warp and weft, the
-// latter as the lattice came to.
+// latter as the lattice came to. Of a stack the latter two are those of each ply, in "plies".
 [[nodiscard]] nlohmann::ordered_json mesh_json(const Resolved& model);
 
 // "mesh" as above, "expected" (what the run is expected to take), "scene" (every value, under the names of the

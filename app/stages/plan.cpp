@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
 
 #include "app/stages/checked_model.hpp"
 #include "core/error.hpp"
+#include "mesher/scene/overrides.hpp"
 #include "mesher/scene/reader.hpp"
 #include "solver/solve.hpp"
 
@@ -37,11 +40,22 @@ double shortening(const Resolved& model, int threads) {
   }
 }
 
+// mm; of warp and weft.
+std::pair<double, double> yarn_lengths(const Mesh& mesh) {
+  double warp = 0.0, weft = 0.0;
+  for (int e = 0; e < mesh.yarn_count(); ++e)
+    (mesh.yarns.family[e] == Family::warp ? warp : weft) += mesh.yarns.yarns[e] * mesh.yarns.rest_length[e];
+  return {warp, weft};
+}
+
 PlanRow measured_row(const Resolved& model, int threads) {
   PlanRow row;
-  for (int e = 0; e < model.mesh.yarn_count(); ++e)
-    (model.mesh.yarns.family[e] == Family::warp ? row.warp_length : row.weft_length) +=
-        model.mesh.yarns.yarns[e] * model.mesh.yarns.rest_length[e];
+  std::tie(row.warp_length, row.weft_length) = yarn_lengths(model.mesh);
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    const Mesh& mesh = model.ply[k].mesh;
+    const auto [warp, weft] = yarn_lengths(mesh);
+    row.ply.push_back({model.mesh.ply[k].name, mesh.cells.size(), warp, weft});
+  }
   const long most_steps =
       std::clamp(static_cast<int>(trial_cell_steps / model.mesh.cells.size()), least_trial_steps, trial_steps);
   const auto trial = solve(model, {}, {.threads = threads, .quiet = true, .most_steps = most_steps});
@@ -64,8 +78,7 @@ std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<
   double known = 1.0;
   for (const double factor : factors) {
     auto with_factor = overrides;
-    with_factor.push_back(fmt::format("blank.coarsening=[{:.17g},{:.17g}]", factor * asked.blank.coarsening[0],
-                                      factor * asked.blank.coarsening[1]));
+    for (const std::string& coarsening : coarsened(asked, factor)) with_factor.push_back(coarsening);
     with_factor.emplace_back("analysis.perturbation=0.0");  // a perturbed run is two runs
     PlanRow row;
     try {
@@ -99,6 +112,9 @@ std::string plan_table(const std::vector<PlanRow>& rows) {
     text += fmt::format("{:>9g}x {:>9} {:>9} {:>8.2f} {:>8.2f} {:>13.3e} {:>12.0f} {:>14.2g} {:>11.0f}\n", row.factor,
                         row.cells, row.solved, 1e-3 * row.warp_length, 1e-3 * row.weft_length, row.step, row.steps,
                         row.seconds, row.megabytes);
+    for (const PlanRow::Ply& ply : row.ply)
+      text += fmt::format("{:>10.10} {:>9} {:>9} {:>8.2f} {:>8.2f}\n", ply.name, ply.cells, "", 1e-3 * ply.warp_length,
+                          1e-3 * ply.weft_length);
   }
   return text;
 }
@@ -118,6 +134,9 @@ nlohmann::ordered_json plan_json(const std::vector<PlanRow>& rows) {
                       {"steps", row.steps},
                       {"wall_s", row.seconds},
                       {"memory_MB", row.megabytes}});
+    for (const PlanRow::Ply& ply : row.ply)
+      list.back()["plies"][ply.name] = {
+          {"cells", ply.cells}, {"warp_length_mm", ply.warp_length}, {"weft_length_mm", ply.weft_length}};
   }
   return list;
 }

@@ -16,6 +16,13 @@ struct PlanRow {
   double steps = 0.0;                           // expected
   double seconds = 0.0;                         // expected, of the solve
   double megabytes = 0.0;                       // expected, of the whole process
+  // Of a stack, each ply's own.
+  struct Ply {
+    std::string name;
+    int cells = 0;
+    double warp_length = 0.0, weft_length = 0.0;  // mm
+  };
+  std::vector<Ply> ply = {};
 };
 
 // Coarsening 8, 4, 2, 1 and a half of the scene's. Cells, lengths and the flat step are those of the real mesh; steps
@@ -26,7 +33,7 @@ struct PlanRow {
                                              int threads);
 [[nodiscard]] std::string plan_table(const std::vector<PlanRow>& rows);
 // A list of the same rows: "coarsening_factor" and "no_mesh" (why), or "cells", "cells_solved", "warp_length_mm",
-// "weft_length_mm", "flat_step_s", "steps", "wall_s", "memory_MB".
+// "weft_length_mm", "flat_step_s", "steps", "wall_s", "memory_MB"; of a stack "plies" with "cells" and both lengths of each by name.
 [[nodiscard]] nlohmann::ordered_json plan_json(const std::vector<PlanRow>& rows);
 
 }  // namespace weaveform

@@ -30,9 +30,10 @@ private:
   std::string text_;
 };
 
-void add_mesh(const Resolved& model, Lines& lines) {
+// `table`: of a ply, "resolved.ply.NAME.mesh".
+void add_mesh(const Resolved& model, const std::string& table, Lines& lines) {
   const Mesh& mesh = model.mesh;
-  lines.table("resolved.mesh");
+  lines.table(table);
   lines.add("cells", mesh.cells.size());
   lines.add("yarn_elements", mesh.yarn_count());
   lines.add("nodes", mesh.node_count());
@@ -57,10 +58,10 @@ void add_analysis(const Resolved& model, const SolveStatistics& first, Lines& li
   lines.add("threads", first.threads);
 }
 
-void add_laws(const Resolved& model, Lines& lines) {
+void add_laws(const Resolved& model, const std::string& table, Lines& lines) {
   const Card& card = model.card;
   const auto laws = yarn_laws(card, model.scene.model);
-  lines.table("resolved.laws");
+  lines.table(table);
   lines.add("card", card.name);
   lines.add("yarn_tangent", std::array{laws[0].tangent(0.0), laws[1].tangent(0.0)}, "MPa; unstretched, warp and weft");
   lines.add("stiffest_yarn_tangent",
@@ -71,6 +72,32 @@ void add_laws(const Resolved& model, Lines& lines) {
   lines.add("shear_valid_to", card.shear.valid_to_deg, "deg");
   const Flexure flexure = choose_flexure(card, model.scene.model);
   lines.add("bends", flexure.bends_yarns || flexure.rotation_free || flexure.has_shell);
+}
+
+void add_stack(const Resolved& model, Lines& lines) {
+  lines.table("resolved.mesh");
+  lines.add("plies", static_cast<int>(model.ply.size()));
+  lines.add("cells", model.mesh.cells.size());
+  lines.add("yarn_elements", model.mesh.yarn_count());
+  lines.add("nodes", model.mesh.node_count());
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    const std::string table = "resolved.ply." + *toml_text(model.mesh.ply[k].name);
+    add_mesh(model.ply[k], table + ".mesh", lines);
+    lines.add("position", model.ply[k].scene.blank.position, "mm; of the blank's centre, in its middle plane");
+    lines.add("first_node", model.mesh.ply[k].first_node, "in mesh.vtu");
+    add_laws(model.ply[k], table + ".laws", lines);
+  }
+}
+
+void add_pairs(const Resolved& model, Lines& lines) {
+  for (std::size_t k = 1; k < model.ply.size(); ++k) {
+    const ResolvedPair& pair = model.pair[pair_number(k - 1, k)];
+    lines.table("resolved.pair." + *toml_text(model.mesh.ply[k - 1].name + "/" + model.mesh.ply[k].name));
+    lines.add("friction", pair.friction);
+    lines.add("shear_law_rows", static_cast<int>(pair.shear_law.size()));
+    lines.add("compaction_rows", static_cast<int>(pair.compaction.size()), "0: faces that hardly give way");
+    lines.add("gap", pair.gap, "mm");
+  }
 }
 
 void add_tool(const Resolved& model, std::size_t number, double blank_mass, Lines& lines) {
@@ -94,9 +121,15 @@ std::string resolved_text(const Resolved& model) {
   Lines lines;
   lines.table("resolved");
   lines.add("program", std::string(version_line()));
-  add_mesh(model, lines);
+  if (model.ply.empty())
+    add_mesh(model, "resolved.mesh", lines);
+  else
+    add_stack(model, lines);
   add_analysis(model, first, lines);
-  add_laws(model, lines);
+  if (model.ply.empty())
+    add_laws(model, "resolved.laws", lines);
+  else
+    add_pairs(model, lines);
   double blank_mass = 0.0;  // tonne; with mass scaling
   for (const double mass : model.mesh.nodes.mass) blank_mass += mass * model.scene.analysis.mass_scale;
   for (std::size_t t = 0; t < model.tools.size(); ++t) add_tool(model, t, blank_mass, lines);

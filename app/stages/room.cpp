@@ -25,6 +25,7 @@ namespace {
 constexpr double program_bytes = 7e7, cell_bytes = 1700.0, tool_bytes = 250.0;
 constexpr double crossing_bytes = 64.0;  // of the lattice across the bounding box, fabric or not
 constexpr double frame_bytes = 200.0, frame_bytes_with_tools = 260.0, mesh_bytes = 120.0;  // a cell
+constexpr double frame_bytes_of_slip = 60.0;                                               // of a stack
 constexpr double number_bytes = 20.0;                                                      // written
 constexpr double most_crossings = 2e9;  // beyond, they cannot be numbered
 // Cells times steps a second on one thread, for the first look: a fraction of what an undisturbed core of 2020 does.
@@ -32,8 +33,9 @@ constexpr double most_crossings = 2e9;  // beyond, they cannot be numbered
 constexpr double membrane_rate = 8e6, bending_rate = 4e6, shell_rate = 1.5e6;
 // A tool's contact over the step of a membrane: shapes, and triangles (the two of the tutorial's pan).
 constexpr double shape_share = 0.2, triangles_share = 1.8;
-constexpr double far_off = 10.0;  // a setting so many times from what would be chosen is the first to look at
-constexpr double nearly = 10.0;   // an estimate from the first step and a tabulated rate may be that wrong
+constexpr double ply_contact_share = 0.6;  // of plies with each other, over the step of a membrane, at most
+constexpr double far_off = 10.0;           // a setting so many times from what would be chosen is the first to look at
+constexpr double nearly = 10.0;            // an estimate from the first step and a tabulated rate may be that wrong
 constexpr int measured_steps = 60;
 
 std::string where(const Scene& scene) {
@@ -52,9 +54,15 @@ std::string size_cause(const ExpectedSize& size) {
       size.extent[0], size.extent[1], size.spacing[0], size.spacing[1]);
 }
 
+// Of history.csv, about.
+double expected_columns(const Scene& scene) {
+  const auto plies = static_cast<double>(scene.ply.size());
+  return 10.0 + 3.0 * static_cast<double>(scene.grip.size() + scene.tools.size()) +
+         4.0 * static_cast<double>(scene.measure.size()) + plies + 4.0 * plies * plies;
+}
+
 double expected_memory(const Scene& scene, const ExpectedSize& size) {
-  const double columns = 10.0 + 3.0 * static_cast<double>(scene.grip.size() + scene.tools.size()) +
-                         4.0 * static_cast<double>(scene.measure.size());
+  const double columns = expected_columns(scene);
   return program_bytes + crossing_bytes * size.crossings +
          (cell_bytes + tool_bytes * static_cast<double>(scene.tools.size())) * size.cells +
          2.0 * sizeof(double) * columns * scene.output.history;
@@ -112,7 +120,7 @@ double expected_rate(const Scene& scene, const Card& card) {
 
 std::string time_cause(const Resolved& model, const Solve& solve) {
   const Scene& scene = model.scene;
-  const double chosen = automatic_duration(scene, model.card, model.extent());
+  const double chosen = automatic_duration(model);
   if (solve.duration > far_off * chosen)
     return fmt::format("the duration of {:.4g} s is {:.3g} times the {:.3g} s that would be chosen; lower {}",
                        solve.duration, solve.duration / chosen, chosen,
@@ -137,12 +145,14 @@ std::string duration_text(double seconds) {
 }
 
 ExpectedRun expectation(const Resolved& model, const Solve& solve, double seconds) {
-  return {model.mesh.cells.size(),
-          solve.cells,
-          solve.steps(),
-          solve.step,
-          seconds,
-          expected_memory(model.scene, expected_size(model.scene.blank, model.card, model.outline))};
+  ExpectedSize size;
+  for (std::size_t k = 0; k < model.plies(); ++k) {
+    const Resolved& ply = model.of_ply(k);
+    const ExpectedSize own = expected_size(ply.scene.blank, ply.card, ply.outline);
+    size.cells += own.cells;
+    size.crossings += own.crossings;
+  }
+  return {model.mesh.cells.size(), solve.cells, solve.steps(), solve.step, seconds, expected_memory(model.scene, size)};
 }
 
 }  // namespace
@@ -154,25 +164,27 @@ std::string describe(const ExpectedRun& expected) {
       amount(expected.memory));
 }
 
-void require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes) {
+double require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes, double besides) {
   const ExpectedSize size = expected_size(scene.blank, card, outline);
-  const double bytes = expected_memory(scene, size);
+  const double bytes = besides + expected_memory(scene, size) - (besides > 0.0 ? program_bytes : 0.0);
   const bool too_many = !(size.crossings < most_crossings && size.cells < most_crossings);
   const double most = scene.analysis.most_memory ? 1e9 * *scene.analysis.most_memory : available_memory();
-  if (!too_many && (yes || bytes <= most)) return;
-  throw InputError(
-      fmt::format("{}about {:.3g} cells would take {} of memory, {}: {}{}", where(scene), size.cells, amount(bytes),
-                  too_many ? "and more crossings than can be numbered"
-                           : fmt::format("more than the {} {}", amount(most),
-                                         scene.analysis.most_memory ? "of analysis.most_memory" : "available"),
-                  size_cause(size), too_many ? "" : ", or allow it with --yes or analysis.most_memory"));
+  if (!too_many && (yes || bytes <= most)) return bytes;
+  throw InputError(fmt::format("{}about {:.3g} cells would take {} of memory{}, {}: {}{}", where(scene), size.cells,
+                               amount(bytes), besides > 0.0 ? " with the plies before" : "",
+                               too_many
+                                   ? "and more crossings than can be numbered"
+                                   : fmt::format("more than the {} {}", amount(most),
+                                                 scene.analysis.most_memory ? "of analysis.most_memory" : "available"),
+                               size_cause(size), too_many ? "" : ", or allow it with --yes or analysis.most_memory"));
 }
 
 void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes) {
   if (yes) return;
-  const double columns = 10.0 + 3.0 * static_cast<double>(scene.grip.size() + scene.tools.size()) +
-                         4.0 * static_cast<double>(scene.measure.size());
-  const double frame = (scene.tools.empty() ? frame_bytes : frame_bytes_with_tools) * mesh.cells.size();
+  const double columns = expected_columns(scene);
+  const double cell =
+      (scene.tools.empty() ? frame_bytes : frame_bytes_with_tools) + (scene.ply.empty() ? 0.0 : frame_bytes_of_slip);
+  const double frame = cell * mesh.cells.size();
   const double bytes = mesh_bytes * mesh.cells.size() + frame * (scene.output.frames + 1.0) +
                        number_bytes * columns * scene.output.history;
   const double most = available_disk(directory);
@@ -186,9 +198,15 @@ void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::p
 
 ExpectedRun require_time(const Resolved& model, bool yes) {
   const Scene& scene = model.scene;
-  const double rate = expected_rate(scene, model.card), limit = 3600.0 * scene.analysis.most_hours;
-  Solve expected{choose_loading(scene, model.card, model.extent()).duration,
-                 lattice_step(scene, model.card, model.mesh), model.mesh.cells.size()};
+  const double limit = 3600.0 * scene.analysis.most_hours;
+  double rate = HUGE_VAL;  // of the dearest ply
+  Solve expected{choose_loading(model).duration, HUGE_VAL, model.mesh.cells.size()};
+  for (std::size_t k = 0; k < model.plies(); ++k) {
+    const Resolved& ply = model.of_ply(k);
+    rate = std::min(rate, expected_rate(ply.scene, ply.card));
+    expected.step = std::min(expected.step, lattice_step(ply.scene, ply.card, ply.mesh));
+  }
+  if (model.plies() > 1) rate /= 1.0 + ply_contact_share;
   double step_seconds = 0.0;
   const auto seconds = [&] {
     return expected.steps() * (step_seconds > 0.0 ? step_seconds : std::max(expected.cells, 100) / rate);

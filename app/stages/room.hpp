@@ -12,8 +12,10 @@
 namespace weaveform {
 
 // Throws InputError, with the numbers and the likely cause, when mesh and solve would take more memory than there is
-// (analysis.most_memory, or what the machine has available); with `yes` only when no machine could hold the mesh.
-void require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes);
+// (analysis.most_memory, or what the machine has available); with `yes` only when no machine could hold the mesh. Of a
+// stack ply by ply, `besides` (bytes) what those before take; gives those with this one's.
+double require_memory(const Scene& scene, const Card& card, const BlankOutline& outline, bool yes,
+                      double besides = 0.0);
 
 // The same for the frames and the history in `directory`.
 void require_disk(const Scene& scene, const Mesh& mesh, const std::filesystem::path& directory, bool yes);

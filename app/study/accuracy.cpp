@@ -34,8 +34,12 @@ struct SolvedLevel {
 std::vector<double> factors(const Scene& scene, double finest) {
   std::vector<double> list;
   const auto allowed = [&](double factor) {
-    const auto& c = scene.blank.coarsening;
-    return std::max(c[0], c[1]) * factor <= greatest_coarsening && std::min(c[0], c[1]) * factor >= least_coarsening;
+    const auto fits = [factor](const BlankSpec& blank) {
+      const auto& c = blank.coarsening;
+      return std::max(c[0], c[1]) * factor <= greatest_coarsening && std::min(c[0], c[1]) * factor >= least_coarsening;
+    };
+    return fits(scene.blank) &&
+           std::all_of(scene.ply.begin(), scene.ply.end(), [&](const PlySpec& ply) { return fits(ply.blank); });
   };
   for (double factor = coarsest; factor >= finest * (1.0 - 1e-9); factor *= 0.5)
     if (allowed(factor)) list.push_back(factor);
@@ -51,6 +55,8 @@ std::optional<SolvedLevel> solve_level(const Scene& scene, double factor, const 
                                        const fs::path& folder, const AccuracyOptions& options, Outcome& outcome_now) {
   Scene coarser = scene;
   for (double& coarsening : coarser.blank.coarsening) coarsening *= factor;
+  for (PlySpec& ply : coarser.ply)
+    for (double& coarsening : ply.blank.coarsening) coarsening *= factor;
   const std::string text = case_text(coarser);
   Setting setting{"blank.coarsening",
                   fmt::format("[{}, {}]", coarser.blank.coarsening[0], coarser.blank.coarsening[1]),

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "fabric/card/card.hpp"
+#include "mesher/resolve/stack_laws.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform::study {
@@ -71,8 +72,13 @@ std::string describe(const Case& one) {
 std::string case_text(const Scene& scene) {
   const Scene whole = with_absolute_paths(scene);
   std::string text = scene_to_toml(whole);
-  if (!is_builtin_card(whole.fabric.material)) text += file_line(whole.fabric.material);
-  if (!whole.blank.outline.empty()) text += file_line(whole.blank.outline);
+  const auto add = [&](const FabricSpec& fabric, const BlankSpec& blank) {
+    if (!is_builtin_card(fabric.material)) text += file_line(fabric.material);
+    if (!blank.outline.empty()) text += file_line(blank.outline);
+  };
+  add(whole.fabric, whole.blank);
+  for (const PlySpec& ply : whole.ply) add(ply.fabric, ply.blank);
+  for (const std::string& law : law_files(whole)) text += file_line(law);
   for (const ToolSpec& tool : whole.tools)
     if (!tool.file.empty()) text += file_line(tool.file);
   return text;

@@ -29,15 +29,31 @@ bool matches(std::string_view name, std::string_view pattern, bool begins = true
   return !name.empty() && name.front() == first && matches(name.substr(1), pattern.substr(1), first == '/');
 }
 
+// The folders in `folder` whose name is one of the pattern's; none of them a link.
+std::vector<fs::path> folders_in(const fs::path& folder, const std::string& pattern) {
+  std::vector<fs::path> found;
+  if (!fs::is_directory(folder)) return found;
+  if (pattern.find_first_of("*#") == std::string::npos) {
+    if (fs::is_directory(fs::symlink_status(folder / pattern))) found.push_back(folder / pattern);
+    return found;
+  }
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (fs::is_directory(entry.symlink_status()) && matches(entry.path().filename().string(), pattern))
+      found.push_back(entry.path());
+  return found;
+}
+
 // The folders below `directory` that the names lie in, itself first; none of them a link but itself.
 std::set<fs::path> folders_of(const fs::path& directory, const FileNames& names) {
   std::set<fs::path> folders = {directory};
   for (const std::string& name : names) {
-    fs::path folder = directory;
+    std::vector<fs::path> here = {directory};
     for (const fs::path& part : fs::path(name).parent_path()) {
-      folder /= part;
-      if (!fs::is_directory(fs::symlink_status(folder))) break;
-      folders.insert(folder);
+      std::vector<fs::path> next;
+      for (const fs::path& folder : here)
+        for (fs::path& found : folders_in(folder, part.string())) next.push_back(std::move(found));
+      folders.insert(next.begin(), next.end());
+      here = std::move(next);
     }
   }
   return folders;

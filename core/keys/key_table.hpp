@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ template <class Spec>
 struct Key {
   KeyRule rule;
   std::string type;
-  void (*read)(const toml::node&, const KeyRule&, Spec&, Complaints&);
-  TomlText (*write)(const Spec&);
+  std::function<void(const toml::node&, const KeyRule&, Spec&, Complaints&)> read;
+  std::function<TomlText(const Spec&)> write;
 };
 
 namespace detail {
@@ -43,6 +44,19 @@ template <auto member>
                      read_value(node, about, spec.*member, complaints);
                    },
                    [](const Spec& spec) { return toml_text(spec.*member); }};
+}
+
+// The rows of a part of a struct as rows of the whole struct.
+template <auto part, class Part>
+[[nodiscard]] auto keys_of_part(const std::vector<Key<Part>>& keys) {
+  using Spec = decltype(detail::owner_of(part));
+  std::vector<Key<Spec>> whole;
+  for (const auto& key : keys)
+    whole.push_back({key.rule, key.type,
+                     [read = key.read](const toml::node& node, const KeyRule& about, Spec& spec,
+                                       Complaints& complaints) { read(node, about, spec.*part, complaints); },
+                     [write = key.write](const Spec& spec) { return write(spec.*part); }});
+  return whole;
 }
 
 template <class Spec>

@@ -18,6 +18,7 @@ pictures='
 hemisphere          | hemisphere_pw_fast.toml       | --set blank.coarsening=1        | --size 1000 700 --no-tools
 hemisphere_pw       | hemisphere_pw.toml            | --set blank.coarsening=4        | --size 800 600
 hemisphere_pw_fast  | hemisphere_pw_fast.toml       |                                 | --size 800 600
+hemisphere_two_plies | hemisphere_two_plies.toml   |                                 | --size 800 600
 bias_extension_pw   | bias_extension_pw.toml        | --set blank.coarsening=3        | --size 800 600
 bias_extension_tw   | bias_extension_tw.toml        | --set blank.coarsening=3        | --size 800 600
 shear_frame_pw      | shear_frame_pw.toml           | --set blank.coarsening=4        | --size 800 600

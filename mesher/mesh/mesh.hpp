@@ -101,6 +101,17 @@ struct MeshFrame {
   [[nodiscard]] bool present() const { return corner[0] >= 0; }
 };
 
+// One ply of a stack whose plies' meshes stand one after another in one (mesher/mesh/stack.hpp): where its own begins.
+struct MeshPly {
+  std::string name;
+  int first_node = 0, first_yarn = 0, first_cell = 0, first_tie = 0;
+  int first_row = 0;                           // of the lattice: the plies' lie side by side along j
+  std::array<double, 2> spacing = {0.0, 0.0};  // mm; as Mesh's, of this ply
+  std::array<int, 2> lattice_size = {0, 0};
+  double thickness = 0.0;  // mm
+  bool operator==(const MeshPly&) const = default;
+};
+
 struct Mesh {
   MeshNodes nodes;
   MeshYarns yarns;
@@ -111,10 +122,12 @@ struct Mesh {
   std::array<double, 2> spacing = {0.0, 0.0};  // mm; element length along the warp (i) and along the weft (j)
   std::array<int, 2> lattice_size = {0, 0};    // crossings span 0 <= i < lattice_size[0], 0 <= j < lattice_size[1]
   double thickness = 0.0;                      // mm
-  MeshSymmetry symmetry;                       // of a half or quarter; mesh.vtu always holds the whole
+  std::vector<MeshPly> ply;  // of a stack, bottom to top; spacing and thickness above then are the least of all
+  MeshSymmetry symmetry;     // of a half or quarter; mesh.vtu always holds the whole
+  int first_shown = 0;       // of a ply: the number of its first node in the stack
   // What messages call a node: its number in mesh.vtu.
   [[nodiscard]] int shown_node(int node) const {
-    return symmetry.whole_node.empty() ? node : symmetry.whole_node[static_cast<std::size_t>(node)];
+    return first_shown + (symmetry.whole_node.empty() ? node : symmetry.whole_node[static_cast<std::size_t>(node)]);
   }
   [[nodiscard]] const std::vector<std::array<double, 3>>& flat_positions() const {
     return nodes.flat_position.empty() ? nodes.position : nodes.flat_position;

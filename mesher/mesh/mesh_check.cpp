@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesher/mesh/mesh.hpp"
+#include "mesher/mesh/stack.hpp"
 
 namespace weaveform {
 
@@ -172,6 +173,7 @@ std::string Mesh::check() const {
   if (wrong.empty()) wrong = wrong_ties(*this);
   if (wrong.empty()) wrong = wrong_sets(*this);
   if (wrong.empty()) wrong = wrong_lattice(*this);
+  if (wrong.empty()) wrong = check_plies(*this);
   return wrong;
 }
 

@@ -22,8 +22,14 @@ namespace weaveform::mesh_format {
 //   (two per entry of the shear cells'
 //                connectivity), tie_count, tie_node (node, the two it follows) and tie_share where there are any,
 //                frame_corner (4 nodes, -1: no frame)
+// Of a stack also
+//   cell, point  ply, its number from 0, the lowest, on
+//   field data   plies_first (per ply: its first node, yarn element, cell, tie and lattice row), plies_spacing_mm,
+//                plies_lattice_size, plies_thickness_mm (per ply), and for each ply one array ply_NAME, its number
 inline const std::string set_prefix = "set_";
 inline const std::string flat_name = "flat_position_mm";
+inline const std::string ply_prefix = "ply_";
+inline constexpr const char* ply_name = "ply";
 
 // Only the closing tag proves that all of a file is there.
 inline bool ends_with_closing_tag(const std::filesystem::path& file) {

@@ -21,6 +21,7 @@ namespace weaveform {
 namespace {
 
 using mesh_format::flat_name;
+using mesh_format::ply_prefix;
 using mesh_format::set_prefix;
 using Data = std::vector<VtuArray>;
 
@@ -186,6 +187,35 @@ void get_ties(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
   if (!all_valid) wanted.complain("a tie or the shear frame names a point that is not there, or a tie its own node");
 }
 
+// The plies of a stack, whose names stand in the names of arrays.
+void get_plies(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
+  const VtuArray* begins = find_array(grid.field_data, "plies_first");
+  if (begins == nullptr) return;
+  const std::size_t count = begins->tuples;
+  begins = wanted.array<std::int32_t>(grid.field_data, "plies_first", 5, count);
+  const VtuArray* spacing = wanted.array<double>(grid.field_data, "plies_spacing_mm", 2, count);
+  const VtuArray* size = wanted.array<std::int32_t>(grid.field_data, "plies_lattice_size", 2, count);
+  const VtuArray* thickness = wanted.array<double>(grid.field_data, "plies_thickness_mm", 1, count);
+  wanted.stop_if_any();
+  for (std::size_t k = 0; k < count; ++k)
+    mesh.ply.push_back({.name = "",
+                        .first_node = begins->at<std::int32_t>(5 * k),
+                        .first_yarn = begins->at<std::int32_t>(5 * k + 1),
+                        .first_cell = begins->at<std::int32_t>(5 * k + 2),
+                        .first_tie = begins->at<std::int32_t>(5 * k + 3),
+                        .first_row = begins->at<std::int32_t>(5 * k + 4),
+                        .spacing = {spacing->at<double>(2 * k), spacing->at<double>(2 * k + 1)},
+                        .lattice_size = {size->at<std::int32_t>(2 * k), size->at<std::int32_t>(2 * k + 1)},
+                        .thickness = thickness->at<double>(k)});
+  for (const VtuArray& array : grid.field_data) {
+    if (!array.name.starts_with(ply_prefix) || array.size() != 1 || !array.holds<std::int32_t>()) continue;
+    const int number = array.at<std::int32_t>(0);
+    if (number >= 0 && number < static_cast<int>(count)) mesh.ply[number].name = array.name.substr(ply_prefix.size());
+  }
+  for (const MeshPly& ply : mesh.ply)
+    if (ply.name.empty()) wanted.complain("not a Weaveform mesh: a ply has no name");
+}
+
 VtuGrid read_grid(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
@@ -208,6 +238,7 @@ Mesh mesh_of(const VtuGrid& grid, const std::filesystem::path& file) {
   get_nodes(wanted, grid, mesh);
   get_field_data(wanted, grid, mesh);
   get_ties(wanted, grid, mesh);
+  get_plies(wanted, grid, mesh);
   wanted.stop_if_any();
   const std::string wrong = mesh.check();
   if (!wrong.empty()) wanted.complain(wrong);

@@ -15,12 +15,14 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "mesher/mesh/mesh_format.hpp"
 #include "mesher/mesh/mesh_io.hpp"
+#include "mesher/mesh/stack.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 
 namespace weaveform {
@@ -28,6 +30,8 @@ namespace weaveform {
 namespace {
 
 using mesh_format::flat_name;
+using mesh_format::ply_name;
+using mesh_format::ply_prefix;
 using mesh_format::set_prefix;
 
 vtkIdType cell_type(int nodes) {
@@ -167,6 +171,39 @@ void put_ties(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   grid.GetFieldData()->AddArray(share);
 }
 
+vtkSmartPointer<vtkIntArray> integers(const std::string& name, const std::vector<int>& value) {
+  auto array = new_array<vtkIntArray>(name, 1, value.size());
+  std::copy(value.begin(), value.end(), array->GetPointer(0));
+  return array;
+}
+
+void put_plies(const Mesh& mesh, vtkUnstructuredGrid& grid) {
+  if (mesh.ply.empty()) return;
+  std::vector<int> on_elements = ply_of_yarns(mesh);
+  const std::vector<int> on_cells = ply_of_cells(mesh);
+  on_elements.insert(on_elements.end(), on_cells.begin(), on_cells.end());
+  grid.GetCellData()->AddArray(integers(ply_name, on_elements));
+  grid.GetPointData()->AddArray(integers(ply_name, ply_of_nodes(mesh)));
+  const std::size_t count = mesh.ply.size();
+  auto first = new_array<vtkIntArray>("plies_first", 5, count);
+  auto spacing = new_array<vtkDoubleArray>("plies_spacing_mm", 2, count);
+  auto size = new_array<vtkIntArray>("plies_lattice_size", 2, count);
+  auto thickness = new_array<vtkDoubleArray>("plies_thickness_mm", 1, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeshPly& ply = mesh.ply[k];
+    const auto id = static_cast<vtkIdType>(k);
+    const std::array<int, 5> begins = {ply.first_node, ply.first_yarn, ply.first_cell, ply.first_tie, ply.first_row};
+    first->SetTypedTuple(id, begins.data());
+    spacing->SetTypedTuple(id, ply.spacing.data());
+    size->SetTypedTuple(id, ply.lattice_size.data());
+    thickness->SetValue(id, ply.thickness);
+  }
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{first, spacing, size, thickness})
+    grid.GetFieldData()->AddArray(array);
+  for (std::size_t k = 0; k < count; ++k)  // names as arrays, for meshio reads no texts
+    grid.GetFieldData()->AddArray(integers(ply_prefix + mesh.ply[k].name, {static_cast<int>(k)}));
+}
+
 }  // namespace
 
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
@@ -177,6 +214,7 @@ void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
   put_point_data(mesh, *grid);
   put_field_data(mesh, *grid);
   put_ties(mesh, *grid);
+  put_plies(mesh, *grid);
 
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);

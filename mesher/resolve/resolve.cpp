@@ -6,6 +6,7 @@
 
 #include "mesher/drape/drape.hpp"
 #include "mesher/lattice/build.hpp"
+#include "mesher/resolve/stack.hpp"
 #include "mesher/scene/reader.hpp"
 
 namespace weaveform {
@@ -66,6 +67,10 @@ Resolved resolve(const fs::path& scene_file, const std::vector<std::string>& ove
   Resolved model;
   model.scene = read_scene(scene_file, overrides);
   look_at_tool_files(model.scene, found);
+  if (!model.scene.ply.empty()) {
+    resolve_stack(model, found, checks, to);
+    return model;
+  }
   const bool outlined = has_outline_file(model.scene, found);
   const bool carded = found.attempt([&] { model.card = load_card(model.scene.fabric.material, model.scene.file); });
   if (carded && checks.of_card) found.attempt([&] { checks.of_card(model.scene, model.card); });
@@ -82,6 +87,10 @@ Resolved resolve(const fs::path& scene_file, const std::vector<std::string>& ove
 
 Resolved resolve_around(Scene scene, Card card, Mesh mesh) {
   Resolved model{std::move(scene), std::move(card), {}, {}, std::move(mesh), {}};
+  if (!model.scene.ply.empty()) {
+    resolve_stack_around(model);
+    return model;
+  }
   model.outline = read_blank_outline(model.scene);
   model.tools = make_tools(model.scene, model.mesh);
   model.symmetry = find_symmetry(model.scene, model.card, model.mesh, model.tools);
@@ -92,6 +101,11 @@ Resolved without_perturbation(const Resolved& model) {
   Resolved clean = model;
   if (model.scene.analysis.perturbation == 0.0) return clean;
   clean.scene.analysis.perturbation = 0.0;
+  for (Resolved& ply : clean.ply) ply.scene.analysis.perturbation = 0.0;
+  if (!clean.ply.empty()) {
+    mirror_stack(clean);
+    return clean;
+  }
   clean.symmetry = find_symmetry(clean.scene, clean.card, clean.mesh, clean.tools);
   return clean;
 }

@@ -30,7 +30,8 @@ enum class ResolveTo {
                                Findings& found, const ResolveChecks& checks = {}, ResolveTo to = ResolveTo::whole);
 
 // The same for the scene, card and mesh that are there already (a folder's, another program's). Throws what
-// read_blank_outline, make_tools and find_symmetry throw.
+// read_blank_outline, make_tools and find_symmetry throw. Of a stack, `mesh` is that of all plies, and each has the card
+// that it names.
 [[nodiscard]] Resolved resolve_around(Scene scene, Card card, Mesh mesh);
 
 // The scene without the random start of analysis.perturbation, which may make it symmetric.

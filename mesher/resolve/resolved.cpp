@@ -13,14 +13,27 @@ namespace weaveform {
 std::vector<std::string> early_warnings(const Resolved& model) {
   std::vector<std::string> lines = idle_parts(model.scene);
   const auto add = [&](const std::vector<std::string>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
-  add(model.outline.notes);
+  for (std::size_t k = 0; k < model.plies(); ++k)
+    for (const std::string& note : model.of_ply(k).outline.notes) lines.push_back(name_before(model, k) + note);
   for (const Tool& tool : model.tools) add(tool.notes);
   add(tools_out_of_reach(model.scene, model.mesh, model.tools));
   return lines;
 }
 
+std::string name_before(const Resolved& model, std::size_t ply) {
+  return model.ply.empty() ? "" : fmt::format("ply '{}': ", model.mesh.ply[ply].name);
+}
+
 std::string describe(const Resolved& model) {
   const Mesh& mesh = model.mesh;
+  if (!model.ply.empty()) {
+    std::string lines = fmt::format("mesh: {} plies, {} cells, {} yarn elements, {} nodes", model.ply.size(),
+                                    mesh.cells.size(), mesh.yarn_count(), mesh.node_count());
+    for (std::size_t k = 0; k < model.ply.size(); ++k)
+      lines += fmt::format("\n  {}{}, at z = {:.4g} mm", name_before(model, k), describe(model.ply[k]).substr(6),
+                           model.ply[k].scene.blank.position[2]);
+    return lines;
+  }
   std::string line = fmt::format(
       "mesh: {} cells, {} yarn elements, {} nodes; spacing {:.4g} mm along the warp, {:.4g} mm along the weft",
       mesh.cells.size(), mesh.yarn_count(), mesh.node_count(), mesh.spacing[0], mesh.spacing[1]);

@@ -129,6 +129,10 @@ const std::vector<Key<MeasureSpec>>& measure_keys() {
                                        .limits = between(-1e9, 1e9),
                                        .doc = "the same in units of the blank's width size[0], so that it follows the "
                                               "size; either this or `box`"}),
+      key<&MeasureSpec::ply>({.name = "ply",
+                              .identifier = true,
+                              .doc = "of a stack: name of the ply whose cells they are; left out: all that have cells "
+                                     "there, each in its own blank's frame"}),
   };
   return keys;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "core/keys/nearest_name.hpp"
 #include "fabric/card/card.hpp"
@@ -46,8 +48,16 @@ void check_names(const std::vector<Spec>& specs, const toml::table& root, const 
   }
 }
 
+// Whether there is a ply that both hold.
+bool hold_one_ply(const GripSpec& one, const GripSpec& other) {
+  if (one.plies.empty() || other.plies.empty()) return true;
+  return std::any_of(one.plies.begin(), one.plies.end(), [&](const std::string& name) {
+    return std::find(other.plies.begin(), other.plies.end(), name) != other.plies.end();
+  });
+}
+
 void check_grips(const Scene& scene, const toml::table& root, Complaints& complaints) {
-  std::map<BlankEdge, std::string> holder;  // of each edge
+  std::vector<std::pair<BlankEdge, const GripSpec*>> holders;  // of each edge
   for (std::size_t i = 0; i < scene.grip.size(); ++i) {
     const GripSpec& grip = scene.grip[i];
     const toml::table* table = table_at(root, "grip", i);
@@ -58,10 +68,15 @@ void check_grips(const Scene& scene, const toml::table& root, Complaints& compla
       complaints.add(place_of(*table, "direction"), "'direction' is zero; give it a length");
     }
     if (!grip.edge) continue;
-    const auto [held, is_new] = holder.emplace(*grip.edge, grip.name);
-    if (is_new) continue;
+    const auto held = std::find_if(holders.begin(), holders.end(), [&](const auto& holder) {
+      return holder.first == *grip.edge && hold_one_ply(*holder.second, grip);
+    });
+    if (held == holders.end()) {
+      holders.emplace_back(*grip.edge, &grip);
+      continue;
+    }
     complaints.add(place_of(*table, "edge"), fmt::format("edge '{}' is already held by grip '{}'; one grip per edge",
-                                                         name_of(*grip.edge), held->second));
+                                                         name_of(*grip.edge), held->second->name));
   }
 }
 
@@ -101,25 +116,21 @@ void check_drape(const Scene& scene, const toml::table& root, Complaints& compla
   }
 }
 
-void check_material(const Scene& scene, const toml::table& root, Complaints& complaints) {
-  const toml::table* table = table_at(root, "fabric", 0);
-  const std::string& name = scene.fabric.material;
-  if (table == nullptr || is_builtin_card(name) || is_card_path(name)) return;
-  complaints.add(place_of(*table, "material"),
+void check_material(const std::string& name, const toml::table& table, Complaints& complaints) {
+  if (is_builtin_card(name) || is_card_path(name)) return;
+  complaints.add(place_of(table, "material"),
                  fmt::format("no built-in card is called '{}', and a path needs a '/' or ends in .toml{}", name,
                              did_you_mean(name, builtin_card_names())));
 }
 
-void check_blank(const Scene& scene, const toml::table& root, Complaints& complaints) {
-  const toml::table* table = table_at(root, "blank", 0);
-  if (table == nullptr) return;
-  const BlankSpec& blank = scene.blank;
+// `title` as in messages, "[blank]" or "[[ply]]".
+void check_blank(const BlankSpec& blank, const toml::table& table, const char* title, Complaints& complaints) {
   const auto goes_with = [&](const char* key, bool given, BlankShape shape) {
     if (given && blank.shape != shape)
-      complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs shape = \"{}\", not \"{}\"",
-                                                        key, name_of(shape), name_of(blank.shape)));
+      complaints.add(place_of(table, key), fmt::format("'{}' is of no use here; it needs shape = \"{}\", not \"{}\"",
+                                                       key, name_of(shape), name_of(blank.shape)));
     if (!given && blank.shape == shape)
-      complaints.add(place_of(*table, "shape"),
+      complaints.add(place_of(table, "shape"),
                      fmt::format("a blank of shape \"{}\" needs '{}'; add it", name_of(shape), key));
   };
   goes_with("corners", !blank.corners.empty(), BlankShape::polygon);
@@ -127,52 +138,122 @@ void check_blank(const Scene& scene, const toml::table& root, Complaints& compla
   for (const auto& [key, given] : {std::pair{"outline_unit", blank.outline_unit.has_value()},
                                    std::pair{"outline_layers", !blank.outline_layers.empty()}})
     if (given && blank.shape != BlankShape::file)
-      complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs shape = \"file\"", key));
+      complaints.add(place_of(table, key), fmt::format("'{}' is of no use here; it needs shape = \"file\"", key));
   goes_with("arm_width", blank.arm_width.has_value(), BlankShape::cross);
   if (blank.on_roll && blank.phase != std::array<double, 2>{0.0, 0.0})
-    complaints.add(place_of(*table, "phase"),
-                   "[blank] has both 'on_roll' and 'phase'; keep one, each says where the yarns lie");
+    complaints.add(place_of(table, "phase"),
+                   fmt::format("{} has both 'on_roll' and 'phase'; keep one, each says where the yarns lie", title));
 }
 
 // Keys that no chosen element or law would read.
-void check_model(const Scene& scene, const toml::table& root, Complaints& complaints) {
-  const toml::table* table = table_at(root, "model", 0);
-  if (table == nullptr) return;
+void check_model(const ModelSpec& model, const toml::table& table, Complaints& complaints) {
   const auto needs = [&](bool given, const char* key, bool served, const char* what) {
     if (given && !served)
-      complaints.add(place_of(*table, key), fmt::format("'{}' is of no use here; it needs {}", key, what));
+      complaints.add(place_of(table, key), fmt::format("'{}' is of no use here; it needs {}", key, what));
   };
-  const ModelSpec& model = scene.model;
   needs(model.yarn_bending.has_value(), "yarn_bending", model.yarn == YarnElement::beam, "yarn = \"beam\"");
   needs(model.cell_bending.has_value(), "cell_bending", model.cell != CellElement::membrane,
         "cell = \"rotation-free\" or \"shell\"");
   needs(model.transverse_shear.has_value(), "transverse_shear", model.cell == CellElement::shell, "cell = \"shell\"");
   if (model.partner != SeatbeltPartner::none && model.yarn != YarnElement::seatbelt) {
-    complaints.add(place_of(*table, "partner"),
+    complaints.add(place_of(table, "partner"),
                    fmt::format("'partner' is '{}', but yarn = '{}' carries compression itself; set yarn = \"seatbelt\" "
                                "or leave 'partner' out",
                                name_of(model.partner), name_of(model.yarn)));
   }
-  needs(model.compression_modulus.has_value(), "compression_modulus",
-        model.yarn != YarnElement::seatbelt || model.partner == SeatbeltPartner::compression,
+  needs(model.compression_modulus.has_value(), "compression_modulus", carries_compression(model),
         "partner = \"compression\"");
   if (model.slack && model.yarn_law != YarnLaw::slack) {
-    complaints.add(place_of(*table, "slack"),
+    complaints.add(place_of(table, "slack"),
                    fmt::format("'slack' is {}, but yarn_law = '{}' has none; set yarn_law = \"slack\" or leave 'slack' "
                                "out",
                                *model.slack, name_of(model.yarn_law)));
   }
 }
 
+constexpr std::size_t most_plies = 100;
+
+// What each ply has of fabric, blank and model is checked like those tables themselves.
+void check_plies(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  check_names(scene.ply, root, "ply", complaints);
+  for (std::size_t k = 0; k < scene.ply.size(); ++k) {
+    const toml::table* table = table_at(root, "ply", k);
+    if (table == nullptr) continue;
+    const PlySpec& ply = scene.ply[k];
+    check_material(ply.fabric.material, *table, complaints);
+    check_blank(ply.blank, *table, "[[ply]]", complaints);
+    check_model(ply.model, *table, complaints);
+  }
+  if (scene.ply.empty()) return;
+  if (scene.ply.size() > most_plies)
+    complaints.add(*table_at(root, "ply", most_plies),
+                   fmt::format("{} plies; a stack has {} at most", scene.ply.size(), most_plies));
+  if (scene.frame)
+    complaints.add(*table_at(root, "frame", 0), "a shear frame holds one ply; leave [frame] or [[ply]] out");
+}
+
+std::vector<std::string> ply_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const PlySpec& ply : scene.ply) names.push_back(ply.name);
+  return names;
+}
+
+// A name in `key` of a table that is to be that of a ply.
+void check_ply_name(const std::string& name, const std::vector<std::string>& plies, const toml::table& table,
+                    const char* key, Complaints& complaints) {
+  if (name.empty() || std::find(plies.begin(), plies.end(), name) != plies.end()) return;
+  complaints.add(place_of(table, key), fmt::format("'{}' names '{}', and there is no such [[ply]]{}", key, name,
+                                                   plies.empty() ? "; the scene has none" : did_you_mean(name, plies)));
+}
+
+void check_pairs(const Scene& scene, const toml::table& stack, Complaints& complaints) {
+  const std::vector<std::string> plies = ply_names(scene);
+  std::vector<std::vector<std::string>> seen;
+  for (std::size_t k = 0; k < scene.stack.pair.size(); ++k) {
+    const toml::table* table = table_at(stack, "pair", k);
+    if (table == nullptr || !table->contains("plies")) continue;
+    std::vector<std::string> names = scene.stack.pair[k].plies;
+    for (const std::string& name : names) check_ply_name(name, plies, *table, "plies", complaints);
+    if (names.empty()) continue;  // complained of already
+    if (names.size() != 2) {
+      complaints.add(place_of(*table, "plies"), fmt::format("'plies' has {} names; it must be 2", names.size()));
+      continue;
+    }
+    std::sort(names.begin(), names.end());
+    if (std::find(seen.begin(), seen.end(), names) != seen.end())
+      complaints.add(place_of(*table, "plies"),
+                     fmt::format("two [[stack.pair]] are of '{}' and '{}'; keep one", names[0], names[1]));
+    seen.push_back(std::move(names));
+  }
+}
+
+void check_stack(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  if (const toml::table* stack = table_at(root, "stack", 0)) {
+    if (scene.ply.empty())
+      complaints.add(*stack, "[stack] is of no use without plies; add a [[ply]] for each, or leave it out");
+    else
+      check_pairs(scene, *stack, complaints);
+  }
+  const std::vector<std::string> plies = ply_names(scene);
+  for (std::size_t k = 0; k < scene.grip.size(); ++k)
+    if (const toml::table* table = table_at(root, "grip", k))
+      for (const std::string& name : scene.grip[k].plies) check_ply_name(name, plies, *table, "plies", complaints);
+  for (std::size_t k = 0; k < scene.measure.size(); ++k)
+    if (const toml::table* table = table_at(root, "measure", k))
+      check_ply_name(scene.measure[k].ply, plies, *table, "ply", complaints);
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const toml::table& root, Complaints& complaints) {
-  check_material(scene, root, complaints);
+  if (const toml::table* table = table_at(root, "fabric", 0)) check_material(scene.fabric.material, *table, complaints);
   check_names(scene.grip, root, "grip", complaints);
   check_names(scene.measure, root, "measure", complaints);
-  check_blank(scene, root, complaints);
+  if (const toml::table* table = table_at(root, "blank", 0)) check_blank(scene.blank, *table, "[blank]", complaints);
   check_grips(scene, root, complaints);
-  check_model(scene, root, complaints);
+  if (const toml::table* table = table_at(root, "model", 0)) check_model(scene.model, *table, complaints);
+  check_plies(scene, root, complaints);
+  check_stack(scene, root, complaints);
   check_measures(scene, root, complaints);
   check_tools(scene, root, complaints);
   check_drape(scene, root, complaints);

@@ -26,6 +26,10 @@ const std::vector<Key<GripSpec>>& grip_keys() {
                                  .doc = "blank frame, any length but zero; when left out the edge's outward normal, or "
                                         "[0, 1, 0] for a box"}),
       key<&GripSpec::free>({.name = "free", .doc = "components left free, blank frame; the others are prescribed"}),
+      key<&GripSpec::plies>({.name = "plies",
+                             .identifier = true,
+                             .doc = "of a stack: names of the plies it holds, each in its own blank's frame; left out: "
+                                    "all, a box those that have fabric there"}),
   };
   return keys;
 }

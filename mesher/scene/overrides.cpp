@@ -55,6 +55,12 @@ const SceneTable* find_table(const std::string& key, const std::string& name, Co
   return nullptr;
 }
 
+bool is_index_below(const std::string& text, std::size_t count) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  return error == std::errc{} && end == text.data() + text.size() && index < count;
+}
+
 // The element of a list of tables with this name, or at this 0-based index.
 toml::table* find_element(toml::table& root, const std::string& key, const std::string& list_name,
                           const std::string& element, Complaints& complaints) {
@@ -94,11 +100,30 @@ toml::table* find_named(toml::table& root, const std::string& key, const std::st
   return nullptr;
 }
 
+bool leads_to_a_pair(const std::vector<std::string>& parts) {
+  return parts.size() > 1 && parts[0] == "stack" && parts[1] == "pair";
+}
+
+// The element of [[stack.pair]], which have no names.
+toml::table* find_pair(toml::table& root, const std::string& key, const std::vector<std::string>& parts,
+                       Complaints& complaints) {
+  toml::table* stack = root["stack"].as_table();
+  const toml::array* pairs = stack == nullptr ? nullptr : (*stack)["pair"].as_array();
+  const std::size_t count = pairs == nullptr ? 0 : pairs->size();
+  if (parts.size() == 4 && count > 0 && is_index_below(parts[2], count))
+    return find_element(*stack, key, "pair", parts[2], complaints);
+  complaints.add_override(key,
+                          fmt::format("write stack.pair.NUMBER.KEY=VALUE; the scene has {} [[stack.pair]]{}",
+                                      count == 0 ? "no" : std::to_string(count), count == 0 ? "" : ", counted from 0"));
+  return nullptr;
+}
+
 // The table that the key's last part belongs to; created when the file leaves it out.
 toml::table* find_place(toml::table& root, const std::string& key, Complaints& complaints) {
   const auto parts = split_at_dots(key);
   const SceneTable* table = find_table(key, parts[0], complaints);
   if (table == nullptr) return nullptr;
+  if (leads_to_a_pair(parts)) return find_pair(root, key, parts, complaints);
   const bool has_name = table->many || table->named;
   if (parts.size() != (has_name ? 3U : 2U)) {
     complaints.add_override(key, fmt::format("write {0}.{1}KEY=VALUE", table->name, has_name ? "NAME." : ""));
@@ -130,6 +155,16 @@ void apply_override(toml::table& root, const std::string& text, Complaints& comp
 
 void apply_overrides(toml::table& root, const std::vector<std::string>& overrides, Complaints& complaints) {
   for (const auto& text : overrides) apply_override(root, text, complaints);
+}
+
+std::vector<std::string> coarsened(const Scene& scene, double factor) {
+  const auto line = [factor](const std::string& key, const std::array<double, 2>& coarsening) {
+    return fmt::format("{}.coarsening=[{:.17g},{:.17g}]", key, factor * coarsening[0], factor * coarsening[1]);
+  };
+  std::vector<std::string> lines = {line("blank", scene.blank.coarsening)};
+  for (std::size_t k = 0; k < scene.ply.size(); ++k)
+    lines.push_back(line(fmt::format("ply.{}", k), scene.ply[k].blank.coarsening));
+  return lines;
 }
 
 }  // namespace weaveform

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/keys/toml_document.hpp"
+#include "mesher/scene/scene.hpp"
 
 namespace weaveform {
 
@@ -13,5 +14,8 @@ namespace weaveform {
 // remember "--set KEY" as their source, so that later complaints about them name it. Complains about keys that lead
 // nowhere and values that cannot be parsed.
 void apply_overrides(toml::table& root, const std::vector<std::string>& overrides, Complaints& complaints);
+
+// Overrides by which every blank of the scene, each ply's own too, is `factor` times as coarse as it asks.
+[[nodiscard]] std::vector<std::string> coarsened(const Scene& scene, double factor);
 
 }  // namespace weaveform

@@ -48,14 +48,28 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
 }
 
 Scene with_absolute_paths(Scene scene) {
+  const auto make_absolute = [&](std::string& path) {
+    if (path.empty() || std::filesystem::path(path).is_absolute()) return;
+    path = std::filesystem::absolute(std::filesystem::path(scene.file).parent_path() / path).lexically_normal();
+  };
+  const auto make_card_absolute = [&](std::string& material) {
+    if (is_builtin_card(material)) return;
+    material = std::filesystem::absolute(card_path(material, scene.file)).lexically_normal();
+  };
   for (ToolSpec& tool : scene.tools)
     if (!tool.file.empty()) tool.file = std::filesystem::absolute(tool_path(tool.file, scene.file)).lexically_normal();
-  if (!scene.blank.outline.empty() && std::filesystem::path(scene.blank.outline).is_relative())
-    scene.blank.outline =
-        std::filesystem::absolute(std::filesystem::path(scene.file).parent_path() / scene.blank.outline)
-            .lexically_normal();
-  if (is_builtin_card(scene.fabric.material)) return scene;
-  scene.fabric.material = std::filesystem::absolute(card_path(scene.fabric.material, scene.file)).lexically_normal();
+  make_absolute(scene.blank.outline);
+  make_card_absolute(scene.fabric.material);
+  for (PlySpec& ply : scene.ply) {
+    make_absolute(ply.blank.outline);
+    make_card_absolute(ply.fabric.material);
+  }
+  make_absolute(scene.stack.friction_law);
+  make_absolute(scene.stack.compaction);
+  for (PairSpec& pair : scene.stack.pair) {
+    make_absolute(pair.friction_law);
+    make_absolute(pair.compaction);
+  }
   return scene;
 }
 

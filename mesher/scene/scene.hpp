@@ -58,14 +58,51 @@ struct ModelSpec {
   bool operator==(const ModelSpec&) const = default;
 };
 
+// A seatbelt without its partner carries none.
+[[nodiscard]] inline bool carries_compression(const ModelSpec& model) {
+  return model.yarn != YarnElement::seatbelt || model.partner == SeatbeltPartner::compression;
+}
+
+// One ply of a stack. What its table leaves out is that of [blank], [fabric] and [model].
+struct PlySpec {
+  std::string name;
+  FabricSpec fabric;
+  BlankSpec blank;  // its own position is the one below
+  ModelSpec model;  // symmetry is the whole scene's
+  // mm; of the blank's centre, in its middle plane; none: on the ply before, the first where [blank] is
+  std::optional<std::array<double, 3>> position;
+  bool operator==(const PlySpec&) const = default;
+};
+
+// What two plies of a stack have of their own.
+struct PairSpec {
+  std::vector<std::string> plies;  // two names
+  Auto friction;                   // 1; none: the stack's, and so on
+  std::string friction_law;
+  Auto gap;  // mm
+  std::string compaction;
+  bool operator==(const PairSpec&) const = default;
+};
+
+// How the plies of a stack lie and slide on each other.
+struct StackSpec {
+  double friction = 0.0;     // 1; Coulomb coefficient between plies
+  std::string friction_law;  // CSV file of slip (mm) and shear stress (MPa), beside Coulomb; relative to the scene file
+  double gap = 0.0;          // mm; between the faces of plies at the start, where the scene does not place them
+  std::string compaction;    // CSV file of approach (mm) and pressure (MPa); none: faces that hardly give way
+  std::vector<PairSpec> pair;
+  bool operator==(const StackSpec&) const = default;
+};
+
 struct GripSpec {
   std::string name;
   std::optional<BlankEdge> edge;             // none when box is given
   std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax in the blank's frame (centre = origin)
   double travel = 0.0;                       // mm; along direction, smooth-step over the duration
   std::optional<std::array<double, 3>>
-      direction;                // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
-  std::vector<Component> free;  // components left free, blank's frame
+      direction;                        // blank frame; default: outward normal of the edge, (0, 1, 0) for a box
+  std::vector<Component> free;          // components left free, blank's frame
+  std::vector<std::string> plies = {};  // of a stack, that it holds; none: all that have something there
   bool operator==(const GripSpec&) const = default;
 };
 
@@ -151,7 +188,8 @@ struct MeasureSpec {
   std::string name;
   std::optional<std::array<double, 4>> box;  // mm; xmin, ymin, xmax, ymax, blank frame, initial configuration
   std::optional<std::array<double, 4>>
-      relative_box;  // the same in units of the blank's width (size[0]), so that it follows the size
+      relative_box;      // the same in units of the blank's width (size[0]), so that it follows the size
+  std::string ply = {};  // of a stack, whose cells it looks at; none: all that have cells there
   bool operator==(const MeasureSpec&) const = default;
 };
 
@@ -160,6 +198,8 @@ struct Scene {
   FabricSpec fabric;
   BlankSpec blank;
   ModelSpec model;
+  std::vector<PlySpec> ply;  // bottom to top along the blank's normal; none: the one of fabric, blank and model
+  StackSpec stack;           // of a scene with plies
   std::vector<GripSpec> grip;
   std::optional<FrameSpec> frame;
   std::vector<ToolSpec> tools;  // in the order of their names

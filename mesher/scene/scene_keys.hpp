@@ -11,6 +11,9 @@ namespace weaveform {
 [[nodiscard]] const std::vector<Key<FabricSpec>>& fabric_keys();
 [[nodiscard]] const std::vector<Key<BlankSpec>>& blank_keys();
 [[nodiscard]] const std::vector<Key<ModelSpec>>& model_keys();
+[[nodiscard]] const std::vector<Key<PlySpec>>& ply_keys();
+[[nodiscard]] const std::vector<Key<StackSpec>>& stack_keys();
+[[nodiscard]] const std::vector<Key<PairSpec>>& pair_keys();
 [[nodiscard]] const std::vector<Key<GripSpec>>& grip_keys();
 [[nodiscard]] const std::vector<Key<ToolSpec>>& tool_keys();
 [[nodiscard]] const std::vector<Key<DrapeSpec>>& drape_keys();

@@ -99,6 +99,98 @@ SceneTable many_tables(const std::string& name, const std::vector<Key<Spec>>& ke
   return table;
 }
 
+// Before a ply's table is read over what it takes over: a file's unit and layers go with that file, and of the two ways
+// to place lines the ply's own counts.
+void make_way(const toml::table& table, BlankSpec& blank) {
+  if (table.contains("outline")) {
+    blank.outline_unit.reset();
+    blank.outline_layers.clear();
+  }
+  if (table.contains("phase") || table.contains("fit")) blank.on_roll.reset();
+  if (table.contains("on_roll")) blank.phase = {0.0, 0.0};
+}
+
+// Afterwards: what was taken over but is of no use to the ply's own shape, elements and laws is left behind.
+void leave_behind(const toml::table& table, PlySpec& ply) {
+  const auto taken_over = [&](const char* key) { return !table.contains(key); };
+  BlankSpec& blank = ply.blank;
+  if (blank.shape != BlankShape::polygon && taken_over("corners")) blank.corners.clear();
+  if (blank.shape != BlankShape::cross && taken_over("arm_width")) blank.arm_width.reset();
+  if (blank.shape != BlankShape::file) {
+    if (taken_over("outline")) blank.outline.clear();
+    if (taken_over("outline_unit")) blank.outline_unit.reset();
+    if (taken_over("outline_layers")) blank.outline_layers.clear();
+  }
+  ModelSpec& model = ply.model;
+  if (model.yarn != YarnElement::seatbelt && taken_over("partner")) model.partner = SeatbeltPartner::none;
+  if (model.yarn != YarnElement::beam && taken_over("yarn_bending")) model.yarn_bending.reset();
+  if (!carries_compression(model) && taken_over("compression_modulus")) model.compression_modulus.reset();
+  if (model.cell == CellElement::membrane && taken_over("cell_bending")) model.cell_bending.reset();
+  if (model.cell != CellElement::shell && taken_over("transverse_shear")) model.transverse_shear.reset();
+  if (model.yarn_law != YarnLaw::slack && taken_over("slack")) model.slack.reset();
+}
+
+// [[ply]]: what is left out is that of the tables read before, [fabric], [blank] and [model].
+SceneTable ply_tables() {
+  SceneTable table{.name = "ply", .many = true, .doc = "", .keys = describe_keys("ply", ply_keys())};
+  for (KeyInfo& key : table.keys) key.standard.clear();
+  table.doc =
+      "A ply of a stack, from the lowest up along z; as many as there are. Left out: one ply, that of `[fabric]`, "
+      "`[blank]` and `[model]`, whose values also are those that a ply leaves out (docs/plies.md).";
+  table.read = [](const toml::node& node, Scene& scene, Complaints& complaints) {
+    const auto* list = node.as_array();
+    if (list == nullptr) return complain_form(node, "ply", true, complaints);
+    for (const auto& item : *list) {
+      PlySpec& ply = scene.ply.emplace_back();
+      ply.fabric = scene.fabric;
+      ply.blank = scene.blank;
+      ply.model = scene.model;
+      const auto* given = item.as_table();
+      if (given != nullptr) make_way(*given, ply.blank);
+      read_one(item, "ply", ply_keys(), ply, true, complaints);
+      if (given != nullptr) leave_behind(*given, ply);
+    }
+  };
+  table.write = [](const Scene& scene) {
+    std::string text;
+    for (const PlySpec& ply : scene.ply) text += "\n[[ply]]\n" + write_keys(ply_keys(), ply);
+    return text;
+  };
+  return table;
+}
+
+void read_pairs(const toml::node& node, StackSpec& stack, Complaints& complaints) {
+  const auto* list = node.as_array();
+  if (list == nullptr) return complain_form(node, "stack.pair", true, complaints);
+  for (const auto& item : *list) read_one(item, "stack.pair", pair_keys(), stack.pair.emplace_back(), true, complaints);
+}
+
+// [stack] and its list [[stack.pair]]; of a scene with plies only.
+SceneTable stack_table() {
+  SceneTable table{.name = "stack",
+                   .doc =
+                       "How the plies of a stack lie and slide on each other. Two plies may have numbers of their own "
+                       "in a `[[stack.pair]]`: `pair.plies`, and any of the others as `pair.NAME`.",
+                   .keys = describe_keys("stack", stack_keys())};
+  for (KeyInfo& key : describe_keys("stack", pair_keys())) {
+    key.name = "pair." + key.name;
+    table.keys.push_back(std::move(key));
+  }
+  table.read = [](const toml::node& node, Scene& scene, Complaints& complaints) {
+    const auto* given = node.as_table();
+    if (given == nullptr) return complain_form(node, "stack", false, complaints);
+    read_keys(*given, "[stack]", stack_keys(), scene.stack, complaints, {"pair"});
+    if (const toml::node* pairs = given->get("pair")) read_pairs(*pairs, scene.stack, complaints);
+  };
+  table.write = [](const Scene& scene) {
+    if (scene.ply.empty()) return std::string();
+    std::string text = "\n[stack]\n" + write_keys(stack_keys(), scene.stack);
+    for (const PairSpec& pair : scene.stack.pair) text += "\n[[stack.pair]]\n" + write_keys(pair_keys(), pair);
+    return text;
+  };
+  return table;
+}
+
 }  // namespace
 
 const std::vector<SceneTable>& scene_tables() {
@@ -107,6 +199,8 @@ const std::vector<SceneTable>& scene_tables() {
       one_table<&Scene::blank>("blank", blank_keys(),
                                "The flat piece of fabric and how finely its yarns are modelled."),
       one_table<&Scene::model>("model", model_keys(), "Elements and laws."),
+      ply_tables(),
+      stack_table(),
       many_tables<&Scene::grip>("grip", grip_keys(), "A prescribed part of the blank; as many as needed."),
       optional_table<&Scene::frame>(
           "frame", frame_keys(),

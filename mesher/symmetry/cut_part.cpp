@@ -177,6 +177,7 @@ SymmetricPart cut_part(const Mesh& whole, const Symmetry& symmetry, bool run_on)
   for (const auto& map : symmetry.map) cutter.part.mesh.symmetry.set_image.push_back(map.set);
   cutter.part.mesh.spacing = whole.spacing;
   cutter.part.mesh.thickness = whole.thickness;
+  cutter.part.mesh.first_shown = whole.first_shown;
   cutter.take_nodes();
   cutter.take_yarns(run_on);
   cutter.take_cells();

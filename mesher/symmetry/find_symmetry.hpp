@@ -23,6 +23,17 @@ struct Symmetry {
 [[nodiscard]] Symmetry find_symmetry(const Scene& scene, const Card& card, const Mesh& mesh,
                                      const std::vector<Tool>& tools);
 
+// What find_symmetry looks at of one ply.
+struct PlyToMirror {
+  std::string name;  // for messages
+  const Scene& scene;
+  const Card& card;
+  const Mesh& mesh;
+};
+// The same of a stack, for each of its plies: planes are those that all of them have.
+[[nodiscard]] std::vector<Symmetry> find_symmetry(const std::vector<PlyToMirror>& plies,
+                                                  const std::vector<Tool>& tools);
+
 // One line for the log: what is solved, and why not less.
 [[nodiscard]] std::string describe(const Symmetry& symmetry);
 

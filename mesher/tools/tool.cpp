@@ -95,7 +95,7 @@ Tool ready_tool(const ToolSpec& spec, const Scene& scene, double thickness, doub
   tool.name = spec.name;
   tool.shape = spec.shape;
   tool.start.axis = unit(spec.axis);
-  tool.offset = spec.offset.value_or(0.5 * thickness);
+  tool.offset = offset_of(spec, thickness);
   tool.friction = spec.friction;
   tool.fillet_radius = spec.fillet_radius;
   tool.radius = tool.shape == ToolShape::ring ? spec.opening_radius.value_or(0.0) : spec.radius.value_or(0.0);
@@ -119,11 +119,6 @@ Tool ready_tool(const ToolSpec& spec, const Scene& scene, double thickness, doub
   return tool;
 }
 
-double cell_edge_of(const Mesh& mesh) {
-  const double edge = std::min(mesh.spacing[0], mesh.spacing[1]);
-  return edge > 0.0 ? edge : usual_cell_edge;
-}
-
 void triangle_distances(const TriangleSurface& surface, const Placement& place, const Coordinates& x, int count,
                         int* hint, Distances& out) {
   for (int n = 0; n < count; ++n) {
@@ -137,6 +132,11 @@ void triangle_distances(const TriangleSurface& surface, const Placement& place, 
 
 }  // namespace
 
+double cell_edge_of(const Mesh& mesh) {
+  const double edge = std::min(mesh.spacing[0], mesh.spacing[1]);
+  return edge > 0.0 ? edge : usual_cell_edge;
+}
+
 std::vector<Tool> make_tools(const Scene& scene, const Mesh& mesh) {
   return make_tools(scene, mesh.thickness, cell_edge_of(mesh));
 }
@@ -149,6 +149,10 @@ std::vector<Tool> make_tools(const Scene& scene, double thickness, double cell_e
 
 Tool make_tool(const ToolSpec& spec, const Scene& scene, const Mesh& mesh) {
   return ready_tool(spec, scene, mesh.thickness, cell_edge_of(mesh));
+}
+
+Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, double cell_edge) {
+  return ready_tool(spec, scene, thickness, cell_edge);
 }
 
 void tool_distances(const Tool& tool, const Placement& place, const Coordinates& x, int count, int* hint,

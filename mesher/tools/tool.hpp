@@ -41,6 +41,18 @@ inline constexpr double usual_cell_edge = 5.0;  // mm; where there is no mesh
 
 // One of them, of the scene's `spec`.
 [[nodiscard]] Tool make_tool(const ToolSpec& spec, const Scene& scene, const Mesh& mesh);
+[[nodiscard]] Tool make_tool(const ToolSpec& spec, const Scene& scene, double thickness, double cell_edge);
+[[nodiscard]] double cell_edge_of(const Mesh& mesh);  // mm; the shorter
+
+// mm; from the tool's surface to the middle plane of a fabric of this thickness that touches it.
+[[nodiscard]] inline double offset_of(const ToolSpec& spec, double thickness) {
+  return spec.offset.value_or(0.5 * thickness);
+}
+// Whether a tool without a position is laid on the blank's lower face: a plane or ring that faces up, a sphere whose
+// shank leads down.
+[[nodiscard]] inline bool lies_below(const ToolSpec& spec) {
+  return (spec.shape == ToolShape::sphere) != (spec.axis[2] > 0.0);
+}
 
 // Signed distances of up to points_at_a_time points from the tool standing at `place`. `hint` holds one number a point,
 // kept from call to call by whoever cares for speed (triangles only; any value gives the same distance).

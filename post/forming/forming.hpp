@@ -61,5 +61,8 @@ void write_forming(const Forming& forming, const Mesh& mesh, const Fields& field
 // "forming" of summary.json, and the section of the table printed at the end.
 [[nodiscard]] nlohmann::ordered_json forming_json(const Forming& forming);
 [[nodiscard]] std::string forming_table(const Forming& forming);
+// The parts of it that are no single ply's: axis, travel and forces of the tools.
+[[nodiscard]] nlohmann::ordered_json forming_loads_json(const Forming& forming);
+[[nodiscard]] std::string forming_loads_table(const Forming& forming);
 
 }  // namespace weaveform

@@ -15,6 +15,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr int table_rows = 6;
 
+Json list(const Eigen::Vector3d& a) {
+  return Json::array({a.x(), a.y(), a.z()});
+}
+
 // null where there is no number
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json();
@@ -67,11 +71,7 @@ std::string sphere_lines(const SphereNetFit& fit) {
 
 }  // namespace
 
-Json forming_json(const Forming& forming) {
-  const auto list = [](const Eigen::Vector3d& a) { return Json::array({a.x(), a.y(), a.z()}); };
-  const Eigen::Vector3d& at = forming.greatest_angle_at;
-  const DrawIn& draw = forming.draw_in;
-  const double quarter = std::numbers::pi / 4.0, thickness = forming.flat_thickness;
+Json forming_loads_json(const Forming& forming) {
   Json json;
   json["axis"] = {{"tool", forming.axis.tool.empty() ? Json() : Json(forming.axis.tool)},
                   {"through_mm", list(forming.axis.origin)},
@@ -85,6 +85,14 @@ Json forming_json(const Forming& forming) {
   if (forming.balance)
     json["force_balance"] = {{"largest_relative_difference", forming.balance->greatest},
                              {"at_time_s", forming.balance->at_time}};
+  return json;
+}
+
+Json forming_json(const Forming& forming) {
+  const Eigen::Vector3d& at = forming.greatest_angle_at;
+  const DrawIn& draw = forming.draw_in;
+  const double quarter = std::numbers::pi / 4.0, thickness = forming.flat_thickness;
+  Json json = forming_loads_json(forming);
   json["shear_angle"] = {{"largest_deg", forming.greatest_angle * degrees_per_radian},
                          {"at_mm", list(at)},
                          {"azimuth_deg", azimuth_degrees(forming, at)},
@@ -108,16 +116,21 @@ Json forming_json(const Forming& forming) {
   return json;
 }
 
-std::string forming_table(const Forming& forming) {
-  const Eigen::Vector3d& at = forming.greatest_angle_at;
-  const DrawIn& draw = forming.draw_in;
-  const double quarter = std::numbers::pi / 4.0, thickness = forming.flat_thickness;
+std::string forming_loads_table(const Forming& forming) {
   std::string lines = fmt::format(
       "\nforming, about {}\n", forming.axis.tool.empty() ? "the blank's centre" : "the axis of " + forming.axis.tool);
   if (forming.punch) lines += punch_lines(*forming.punch);
   if (forming.balance)
     lines += fmt::format("balance the tools' forces add up to zero within {:.3g} % at all times (worst at {:.4g} s)\n",
                          100.0 * forming.balance->greatest, forming.balance->at_time);
+  return lines;
+}
+
+std::string forming_table(const Forming& forming) {
+  const Eigen::Vector3d& at = forming.greatest_angle_at;
+  const DrawIn& draw = forming.draw_in;
+  const double quarter = std::numbers::pi / 4.0, thickness = forming.flat_thickness;
+  std::string lines = forming_loads_table(forming);
   lines +=
       fmt::format("shear   largest {:.2f} deg, {:.1f} deg from the warp, {:.1f} mm from the axis, height {:.1f} mm\n",
                   forming.greatest_angle * degrees_per_radian, azimuth_degrees(forming, at), forming.axis.radius(at),

@@ -8,6 +8,7 @@
 #include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdList.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -139,28 +140,32 @@ std::vector<Isoline> shear_angle_isolines(const Mesh& mesh, const Fields& fields
   std::vector<Isoline> isolines;
   for (const std::vector<vtkIdType>& chain : join(segments_of(cut), cut.GetNumberOfPoints())) {
     // The filter interpolates the angle too, so the level comes back with rounding: take the multiple it stands for.
-    Isoline isoline{std::round(angle->GetTuple1(chain.front()) / step) * step, {}};
+    Isoline isoline{std::round(angle->GetTuple1(chain.front()) / step) * step, {}, 0};
     for (const vtkIdType id : chain) cut.GetPoint(id, isoline.point.emplace_back().data());
     isolines.push_back(std::move(isoline));
   }
   return isolines;
 }
 
-void write_contours(const std::vector<Isoline>& isolines, const std::filesystem::path& file) {
+void write_contours(const std::vector<Isoline>& isolines, const std::filesystem::path& file, bool of_stack) {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkDoubleArray> level;
   level->SetName(angle_name);
+  vtkNew<vtkIntArray> ply;
+  ply->SetName("ply");
   for (const Isoline& isoline : isolines) {
     lines->InsertNextCell(static_cast<int>(isoline.point.size()));
     for (const Vec3& p : isoline.point) lines->InsertCellPoint(points->InsertNextPoint(p.data()));
     level->InsertNextValue(isoline.level);
+    ply->InsertNextValue(isoline.ply);
   }
   data->SetPoints(points);
   data->SetLines(lines);
   data->GetCellData()->SetScalars(level);
+  if (of_stack) data->GetCellData()->AddArray(ply);
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
   write_vtk_whole(file, *writer);

@@ -16,6 +16,7 @@ inline constexpr const char* contours = "contours.vtp";
 struct Isoline {
   double level = 0.0;       // deg; signed shear angle
   std::vector<Vec3> point;  // mm
+  int ply = 0;              // of a stack, its number; not read back
 };
 
 // Lines at the multiples of `step` (deg) that the angle passes, on the cells at their current positions; the angle at a
@@ -23,8 +24,9 @@ struct Isoline {
 // noise. Throws InputError when `step` is so small that there would be more than 1000 levels.
 [[nodiscard]] std::vector<Isoline> shear_angle_isolines(const Mesh& mesh, const Fields& fields, double step);
 
-// Polylines with cell data `shear_angle_deg`, the level; a file without lines is valid too. Throws FileError.
-void write_contours(const std::vector<Isoline>& isolines, const std::filesystem::path& file);
+// Polylines with cell data `shear_angle_deg`, the level, and of a stack `ply`; a file without lines is valid too. Throws
+// FileError.
+void write_contours(const std::vector<Isoline>& isolines, const std::filesystem::path& file, bool of_stack = false);
 // Reads what write_contours wrote. Throws FileError or InputError.
 [[nodiscard]] std::vector<Isoline> read_contours(const std::filesystem::path& file);
 

@@ -87,6 +87,38 @@ Json frame_json(const FrameComparison& frame) {
           {"worst_force_error", frame.worst_error}};
 }
 
+Json folds_json(const Folds& folds) {
+  return {{"out_of_plane_mm", folds.out_of_plane},
+          {"zigzag_height_mm", folds.zigzag_height},
+          {"zigzag_share", folds.zigzag_share}};
+}
+
+Json ply_json(const PlySummary& ply) {
+  Json json = {{"material", ply.material},
+               {"cells", ply.cells},
+               {"max_shear_angle_deg", ply.max_shear_angle},
+               {"max_shear_angle_at_mm", ply.at},
+               {"max_yarn_strain", ply.max_yarn_strain},
+               {"folded_cells_at_end", ply.folded},
+               {"cells_beyond_card", ply.beyond_card}};
+  if (ply.forming) {
+    json["forming"] = forming_json(*ply.forming);
+    for (const char* of_all : {"axis", "punch", "force_balance"}) json["forming"].erase(of_all);
+  }
+  if (ply.folds) json["folds"] = folds_json(*ply.folds);
+  return json;
+}
+
+void add_plies(const Summary& summary, Json& json) {
+  if (summary.ply.front().forming) json["forming"] = forming_loads_json(*summary.ply.front().forming);
+  for (const PlySummary& ply : summary.ply) json["plies"][ply.name] = ply_json(ply);
+  json["pairs"] = Json::object();
+  for (const PairStatistics& pair : summary.statistics.pairs) {
+    Json& entry = json["pairs"][pair.lower + "/" + pair.upper];
+    for_each_pair_statistic(pair, [&](const char* name, const auto& value) { entry[name] = value; });
+  }
+}
+
 }  // namespace
 
 std::vector<GripSummary> summarise_grips(const Scene& scene, const History& history) {
@@ -138,10 +170,8 @@ Json summary_json(const Summary& summary) {
   if (summary.bias) add_bias(json, *summary.bias, summary.measure);
   if (summary.frame) json["frame"] = frame_json(*summary.frame);
   if (summary.forming) json["forming"] = forming_json(*summary.forming);
-  if (summary.folds)
-    json["folds"] = {{"out_of_plane_mm", summary.folds->out_of_plane},
-                     {"zigzag_height_mm", summary.folds->zigzag_height},
-                     {"zigzag_share", summary.folds->zigzag_share}};
+  if (summary.folds) json["folds"] = folds_json(*summary.folds);
+  if (!summary.ply.empty()) add_plies(summary, json);
   json["warnings"] = summary.warning;
   return json;
 }

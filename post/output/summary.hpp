@@ -39,6 +39,18 @@ struct MeasureSummary {
   double mean = 0.0, sd = 0.0, least = 0.0, greatest = 0.0;  // deg; shear angle at the end
 };
 
+// One ply of a stack at the end.
+struct PlySummary {
+  std::string name, material;
+  int cells = 0;
+  double max_shear_angle = 0.0;                // deg; greatest |angle|
+  std::array<double, 3> at = {0.0, 0.0, 0.0};  // mm; the centre of that cell
+  double max_yarn_strain = 0.0;
+  int folded = 0, beyond_card = 0;  // cells
+  std::optional<Forming> forming;   // when the scene has tools
+  std::optional<Folds> folds;       // when it has none
+};
+
 struct Summary {
   SolveStatistics statistics;
   std::vector<GripSummary> grip;
@@ -48,6 +60,7 @@ struct Summary {
   std::optional<FrameComparison> frame;  // when the scene has a shear frame
   std::optional<Forming> forming;        // when the scene has tools
   std::optional<Folds> folds;            // when it has none
+  std::vector<PlySummary> ply;           // of a stack, which has forming and folds here
   std::vector<std::string> warning;      // what the run says against itself (post/trust/warnings.hpp)
 };
 
@@ -59,7 +72,8 @@ struct Summary {
 
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
 // "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
-// shear frame "frame"; for a scene with tools "forming", for one without "folds"; "warnings", a list of lines.
+// shear frame "frame"; for a scene with tools "forming", for one without "folds"; of a stack these in "plies" by name,
+// and "pairs" by "LOWER/UPPER", what plies did to each other; "warnings", a list of lines.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Summary& summary);
 // That document as a file. Throws FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);

@@ -113,6 +113,39 @@ std::string tool_lines(const Summary& summary) {
   return text;
 }
 
+std::string ply_lines(const Summary& summary) {
+  if (summary.ply.empty()) return "";
+  const std::size_t width = name_width(summary.ply, 16);
+  const bool formed = summary.ply.front().forming.has_value();
+  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>10}{:>10}{}\n", "ply", width, "cells", "max deg", "strain %",
+                                 "folded", formed ? "   draw-in mm      mean  wrinkled %" : "   zigzags %");
+  for (const PlySummary& ply : summary.ply) {
+    text += fmt::format("{:<{}}{:>10}{}{}{:>10}", ply.name, width, ply.cells, aligned(ply.max_shear_angle),
+                        aligned(100.0 * ply.max_yarn_strain, 3), ply.folded);
+    if (ply.forming)
+      text += aligned(ply.forming->draw_in.greatest, 2, 13) + aligned(ply.forming->draw_in.mean) +
+              aligned(100.0 * ply.forming->wrinkles.area_share, 2, 12);
+    if (ply.folds) text += aligned(100.0 * ply.folds->zigzag_share, 2, 12);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string pair_lines(const Summary& summary) {
+  const auto& pairs = summary.statistics.pairs;
+  if (pairs.empty()) return "";
+  std::size_t width = 16;
+  for (const PairStatistics& pair : pairs) width = std::max(width, pair.lower.size() + pair.upper.size() + 2);
+  std::string text = fmt::format("\n{:<{}}{:>10}{:>10}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "between plies", width,
+                                 "slip mm", "mean mm", "contact mm2", "force N", "MPa, most", "into mm", "friction mJ");
+  for (const PairStatistics& pair : pairs)
+    text += fmt::format("{:<{}}{}{}{}{}{:>12.3g}{:>12.3g}{}\n", pair.lower + "/" + pair.upper, width,
+                        aligned(pair.max_slip_mm), aligned(pair.mean_slip_mm), aligned(pair.contact_area_mm2, 0, 12),
+                        aligned(pair.force_N, 3, 12), pair.max_pressure_MPa, pair.max_penetration_mm,
+                        aligned(pair.friction_work_mJ, 3, 12));
+  return text;
+}
+
 std::string zone_lines(const BiasComparison& bias) {
   std::string text = fmt::format(
       "\nbias extension, W {:g} x L {:g} mm; ideal: inextensible yarns, three zones (Eq. 14); cells on a zone line "
@@ -163,6 +196,9 @@ std::string summary_table(const Summary& summary) {
   text += measure_lines(summary.measure);
   text += grip_lines(summary);
   text += tool_lines(summary);
+  text += ply_lines(summary);
+  text += pair_lines(summary);
+  if (!summary.ply.empty() && summary.ply.front().forming) text += forming_loads_table(*summary.ply.front().forming);
   if (summary.frame) text += frame_lines(*summary.frame);
   if (summary.forming) text += forming_table(*summary.forming);
   if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);

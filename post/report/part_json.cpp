@@ -12,10 +12,13 @@
 
 #include "core/error.hpp"
 #include "core/vector/angle.hpp"
+#include "core/vector/append.hpp"
+#include "mesher/mesh/stack.hpp"
 #include "mesher/mesh/vtu_grid.hpp"
 #include "post/report/base64.hpp"
 #include "post/report/shown_part.hpp"
 #include "solver/result/beside.hpp"
+#include "solver/result/stack_fields.hpp"
 
 namespace weaveform {
 namespace {
@@ -70,7 +73,8 @@ std::vector<double> on_nodes(const ShownPart& part, const std::vector<double>& v
 
 // What every result has, computed from the positions as post does.
 std::vector<Track> fabric_tracks(const Resolved& model) {
-  const double limit = model.card.shear.valid_to_deg;
+  double limit = model.card.shear.valid_to_deg;  // of a stack, the least
+  for (const Resolved& ply : model.ply) limit = std::min(limit, ply.card.shear.valid_to_deg);
   std::vector<Track> tracks = {
       {.name = "shear_angle", .title = "shear angle", .unit = "°", .from_zero = true, .limit = limit},
       {.name = "signed_shear_angle", .title = "shear angle with its sign", .unit = "°", .scale = Scale::diverging},
@@ -101,6 +105,18 @@ std::vector<Track> contact_tracks(const Scene& scene) {
            .scale = Scale::categories,
            .on = On::nodes,
            .category = {"no contact", "sticks", "slips"}}};
+}
+
+std::vector<Track> ply_tracks() {
+  return {
+      {.name = "slip_path", .title = "slip between plies", .unit = "mm", .on = On::nodes, .from_zero = true},
+      {.name = "ply_pressure", .title = "pressure between plies", .unit = "MPa", .on = On::nodes, .from_zero = true},
+      {.name = "ply_friction",
+       .title = "friction between plies",
+       .unit = "",
+       .scale = Scale::categories,
+       .on = On::nodes,
+       .category = {"no contact", "sticks", "slips"}}};
 }
 
 std::vector<double> as_numbers(const std::vector<bool>& flags) {
@@ -144,8 +160,28 @@ void add_contact(std::vector<Track>& track, std::size_t at, const ShownPart& par
   track[at + 2].frame.push_back(on_nodes(part, numbers_of(grid.point_data, frame, "friction_state", nodes)));
 }
 
-// Wrinkles are found in the last frame alone.
-void add_wrinkles(std::vector<Track>& track, const ShownPart& part, const Forming& forming, std::size_t frames) {
+void add_slip(std::vector<Track>& track, std::size_t at, const ShownPart& part, const Mesh& mesh,
+              const FrameFile& frame) {
+  const std::vector<std::string> names = {"slip_path_mm", "ply_pressure_MPa", "ply_friction_state"};
+  const VtuGrid grid = read_vtu(frame.file, names, "solve again");
+  const auto nodes = static_cast<std::size_t>(mesh.node_count());
+  for (std::size_t k = 0; k < names.size(); ++k)
+    track[at + k].frame.push_back(on_nodes(part, numbers_of(grid.point_data, frame, names[k], nodes)));
+}
+
+// The ply of each shown cell, which stands for cells of one ply only.
+std::string packed_plies(const ShownPart& part, const Mesh& mesh) {
+  const std::vector<int> of_cells = ply_of_cells(mesh);
+  std::vector<std::uint8_t> numbers;
+  for (std::size_t c = 0; c < part.cell.size(); ++c)
+    numbers.push_back(static_cast<std::uint8_t>(
+        of_cells[static_cast<std::size_t>(part.of[static_cast<std::size_t>(part.first[c])])]));
+  return base64(numbers);
+}
+
+// Wrinkles are found in the last frame alone; `relief_of_nodes` of all plies.
+void add_wrinkles(std::vector<Track>& track, const ShownPart& part, const Forming& forming,
+                  const std::vector<double>& relief_of_nodes, std::size_t frames) {
   Track relief{.name = "wrinkle_relief",
                .title = "relief of wrinkles (last frame)",
                .unit = "mm",
@@ -154,7 +190,7 @@ void add_wrinkles(std::vector<Track>& track, const ShownPart& part, const Formin
                .limit = forming.wrinkle_limits.relief(forming.flat_thickness)};
   const std::vector<double> none(part.node.size(), std::numeric_limits<double>::quiet_NaN());
   relief.frame.assign(frames, none);
-  relief.frame.back() = on_nodes(part, forming.wrinkles.relief);
+  relief.frame.back() = on_nodes(part, relief_of_nodes);
   track.push_back(relief);
 }
 
@@ -275,7 +311,7 @@ std::string label_of(const FrameFile& frame, ResultFolder& folder) {
 
 }  // namespace
 
-PartPage part_json(ResultFolder& folder, const std::optional<Forming>& forming, std::size_t most_bytes) {
+PartPage part_json(ResultFolder& folder, const Summary& summary, std::size_t most_bytes) {
   const Resolved& model = folder.model();
   const Mesh& mesh = model.mesh;
   const bool has_contact = !model.scene.tools.empty();
@@ -283,6 +319,10 @@ PartPage part_json(ResultFolder& folder, const std::optional<Forming>& forming, 
   const std::size_t contact_at = tracks.size();
   if (has_contact)
     for (Track& track : contact_tracks(model.scene)) tracks.push_back(std::move(track));
+  const std::size_t slip_at = tracks.size();
+  const bool slides = model.ply.size() > 1;
+  if (slides)
+    for (Track& track : ply_tracks()) tracks.push_back(std::move(track));
   const Thinning thinning = thinned(mesh, tracks, folder.frames().size(), most_bytes);
   const ShownPart& part = thinning.part;
 
@@ -298,11 +338,18 @@ PartPage part_json(ResultFolder& folder, const std::optional<Forming>& forming, 
     for (const Vec3& x : positions.back())
       for (std::size_t c = 0; c < 3; ++c)
         page.low[c] = std::min(page.low[c], x[c]), page.high[c] = std::max(page.high[c], x[c]);
-    end = compute_fields(mesh, model.card, model.scene.model, frame.time, positions.back());
+    end = compute_fields(model, frame.time, positions.back());
     add_fabric(tracks, part, mesh, beside, end);
     if (has_contact) add_contact(tracks, contact_at, part, mesh, frame);
+    if (slides) add_slip(tracks, slip_at, part, mesh, frame);
   }
-  if (forming) add_wrinkles(tracks, part, *forming, page.frames.size());
+  if (summary.forming)
+    add_wrinkles(tracks, part, *summary.forming, summary.forming->wrinkles.relief, page.frames.size());
+  if (!summary.ply.empty() && summary.ply.front().forming) {
+    std::vector<double> relief;
+    for (const PlySummary& ply : summary.ply) append(relief, ply.forming->wrinkles.relief);
+    add_wrinkles(tracks, part, *summary.ply.front().forming, relief, page.frames.size());
+  }
 
   const Vec3 origin = scaled(plus(page.low, page.high), 0.5);
   double half = 1e-6;
@@ -313,7 +360,7 @@ PartPage part_json(ResultFolder& folder, const std::optional<Forming>& forming, 
                {"thinned", thinning_words(thinning, mesh, folder.frames().size())},
                {"cells", packed_cells(part)},
                {"cell_numbers", cell_numbers(part, end.shear_angle)},
-               {"plies", nullptr},
+               {"plies", model.ply.empty() ? Json() : Json(packed_plies(part, mesh))},
                {"yarns", {{"warp", packed_yarns(part.yarn[0])}, {"weft", packed_yarns(part.yarn[1])}}},
                {"position", {{"origin", origin}, {"step", step}}}};
   page.json["fields"] = Json::array();

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "post/forming/forming.hpp"
+#include "post/output/summary.hpp"
 #include "solver/result/result_folder.hpp"
 
 namespace weaveform {
@@ -21,8 +21,8 @@ struct PartPage {
   Vec3 low, high;                 // mm; the box of all of them
 };
 
-// `forming` has the wrinkles of the last frame. Throws FileError and InputError as ResultFolder does.
-[[nodiscard]] PartPage part_json(ResultFolder& folder, const std::optional<Forming>& forming,
+// `summary` has the wrinkles of the last frame. Throws FileError and InputError as ResultFolder does.
+[[nodiscard]] PartPage part_json(ResultFolder& folder, const Summary& summary,
                                  std::size_t most_bytes = most_part_bytes);
 
 }  // namespace weaveform

@@ -1,6 +1,7 @@
 #include "post/report/result_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +24,20 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string card_text(const Scene& scene) {
-  const std::string& material = scene.fabric.material;
+std::string card_text(const std::string& material, const Scene& scene) {
   for (const BuiltinCard& card : builtin_cards())
     if (card.name == material) return card.text;
   return read_text_file(card_path(material, scene.file));
+}
+
+// Of all plies, each once.
+std::vector<std::string> materials_of(const Scene& scene) {
+  if (scene.ply.empty()) return {scene.fabric.material};
+  std::vector<std::string> materials;
+  for (const PlySpec& ply : scene.ply)
+    if (std::find(materials.begin(), materials.end(), ply.fabric.material) == materials.end())
+      materials.push_back(ply.fabric.material);
+  return materials;
 }
 
 std::string title_of(const SolveStatistics& statistics, const ResultFolder& folder) {
@@ -36,9 +46,14 @@ std::string title_of(const SolveStatistics& statistics, const ResultFolder& fold
 }
 
 // A card by its name: the scene may know it by a path that means nothing to who reads the page.
-std::string subtitle_of(const SolveStatistics& s, const Card& card) {
-  return fmt::format("{} cells of {}, {} steps in {:.3g} s on {} thread{}", s.cells, card.name, s.steps, s.wall_s,
-                     s.threads, s.threads == 1 ? "" : "s");
+std::string subtitle_of(const SolveStatistics& s, const Resolved& model) {
+  std::vector<std::string> cards;
+  for (std::size_t k = 0; k < model.plies(); ++k)
+    if (const std::string& name = model.of_ply(k).card.name; std::find(cards.begin(), cards.end(), name) == cards.end())
+      cards.push_back(name);
+  return fmt::format("{}{} cells of {}, {} steps in {:.3g} s on {} thread{}",
+                     model.ply.empty() ? "" : fmt::format("{} plies, ", model.ply.size()), s.cells,
+                     fmt::join(cards, " and "), s.steps, s.wall_s, s.threads, s.threads == 1 ? "" : "s");
 }
 
 Json facts_of(const SolveStatistics& s, const Mesh& mesh) {
@@ -65,11 +80,11 @@ Json facts_of(const SolveStatistics& s, const Mesh& mesh) {
 std::string result_report(ResultFolder& folder, const Evaluation& evaluation) {
   const Scene& scene = folder.scene();
   const SolveStatistics& statistics = folder.statistics();
-  PartPage part = part_json(folder, evaluation.summary.forming);
+  PartPage part = part_json(folder, evaluation.summary);
   Json data = {{"format", 1},
                {"kind", "result"},
                {"title", title_of(statistics, folder)},
-               {"subtitle", subtitle_of(statistics, folder.model().card)},
+               {"subtitle", subtitle_of(statistics, folder.model())},
                {"verdict", verdict_json(folder, evaluation)},
                {"part", nullptr},
                {"tools", tools_json(folder, part.frames, part.low, part.high)},
@@ -85,9 +100,9 @@ std::string result_report(ResultFolder& folder, const Evaluation& evaluation) {
     data["tables"].push_back(std::move(measured->table));
   }
   data["texts"].push_back({{"title", "Scene"}, {"text", read_text_file(folder.directory() / file_name::scene)}});
-  data["texts"].push_back(
-      {{"title", fmt::format("Material card {}", fs::path(scene.fabric.material).filename().string())},
-       {"text", card_text(scene)}});
+  for (const std::string& material : materials_of(scene))
+    data["texts"].push_back({{"title", fmt::format("Material card {}", fs::path(material).filename().string())},
+                             {"text", card_text(material, scene)}});
   return report_page(data);
 }
 

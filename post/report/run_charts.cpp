@@ -107,12 +107,11 @@ Chart energy_chart(const History& history, const Progress& progress) {
   return chart;
 }
 
-// Share of the flat area in each bin of angles.
-Json distribution(const Mesh& mesh, const Card& card, const Fields& end) {
-  double greatest = bin, total = 0.0;
-  for (const double angle : end.shear_angle) greatest = std::max(greatest, std::abs(angle) * degrees_per_radian);
+// Share of the flat area in each bin of angles up to the greatest.
+ChartSeries shares_of(const std::string& label, const Mesh& mesh, const Fields& end, double greatest) {
+  double total = 0.0;
   ChartSeries shares;
-  shares.label = "share of the fabric";
+  shares.label = label;
   for (double from = 0.0; from < greatest; from += bin) {
     shares.x.push_back(from + 0.5 * bin);
     shares.y.push_back(0.0);
@@ -123,13 +122,43 @@ Json distribution(const Mesh& mesh, const Card& card, const Fields& end) {
     total += mesh.cells.area[c];
   }
   for (double& share : shares.y) share *= 100.0 / std::max(total, 1e-300);
+  return shares;
+}
+
+// Bars of one ply; of several a line each.
+Json distribution(const Resolved& model, const Fields& end) {
+  double greatest = bin, limit = model.card.shear.valid_to_deg;
+  for (const double angle : end.shear_angle) greatest = std::max(greatest, std::abs(angle) * degrees_per_radian);
   Chart chart = titled("Distribution of shear angles at the end", "shear angle (°)",
                        fmt::format("share of the area in {:g}° (%)", bin));
-  chart.series.push_back(std::move(shares));
+  if (model.ply.empty()) chart.series.push_back(shares_of("share of the fabric", model.mesh, end, greatest));
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    chart.series.push_back(
+        shares_of(model.mesh.ply[k].name, model.ply[k].mesh, fields_of_ply(end, model.mesh, k), greatest));
+    limit = std::min(limit, model.ply[k].card.shear.valid_to_deg);
+  }
   Json json = chart_json("distribution", chart);
-  json["series"][0]["style"] = "bars";
-  add_mark(json, card.shear.valid_to_deg, "the card's range ends");
+  if (model.ply.empty()) json["series"][0]["style"] = "bars";
+  add_mark(json, limit, "the card's range ends");
   return json;
+}
+
+// Of every pair that is recorded, as far as it slides at all.
+void add_slip(Json& charts, const History& history, const Progress& progress) {
+  Chart slip = titled("Slip between plies", progress.title, "mean slip path where they touched (mm)");
+  Chart force = titled("Force between plies", progress.title, "normal force (N)");
+  for (const std::string& column : history.column) {
+    const auto add = [&](const std::string& ending, Chart& chart) {
+      if (column.find('/') == std::string::npos || !column.ends_with(ending)) return;
+      const std::vector<double> values = history.values(column);
+      if (std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; }))
+        add_series(chart, column.substr(0, column.size() - ending.size()), progress.value, values);
+    };
+    add(".mean_slip_mm", slip);
+    add(".force_N", force);
+  }
+  if (!slip.series.empty()) charts.push_back(chart_json("slip", slip));
+  if (!force.series.empty()) charts.push_back(chart_json("ply_force", force));
 }
 
 // The blank's edge before and after, seen along the part's axis.
@@ -149,11 +178,31 @@ Chart outline_chart(const Forming& forming, const Mesh& mesh, const Fields& end)
   return chart;
 }
 
+// `ply`: its name after each title, "" of a single one.
+void add_shape(Json& charts, const Forming& forming, const Mesh& mesh, const Fields& end, const std::string& ply) {
+  const auto named = [&](Chart chart) {
+    if (!ply.empty()) chart.title += ", ply " + ply;
+    return chart;
+  };
+  const auto key = [&](const char* name) { return ply.empty() ? std::string(name) : fmt::format("{}_{}", name, ply); };
+  charts.push_back(chart_json(key("meridians"), named(meridian_chart(forming))));
+  charts.push_back(chart_json(key("outline"), named(outline_chart(forming, mesh, end)), true));
+}
+
 void add_forming(Json& charts, const Forming& forming, const Mesh& mesh, const Fields& end) {
   if (forming.punch) charts.push_back(chart_json("tool_force", punch_chart(*forming.punch)));
-  charts.push_back(chart_json("meridians", meridian_chart(forming)));
-  charts.push_back(chart_json("outline", outline_chart(forming, mesh, end), true));
+  add_shape(charts, forming, mesh, end, "");
   if (forming.sphere_net) charts.push_back(chart_json("sphere_net", sphere_net_chart(*forming.sphere_net)));
+}
+
+void add_forming_of_plies(Json& charts, const Resolved& model, const Evaluation& evaluation) {
+  const auto& plies = evaluation.summary.ply;
+  if (plies.empty() || !plies.front().forming) return;
+  if (plies.front().forming->punch)
+    charts.push_back(chart_json("tool_force", punch_chart(*plies.front().forming->punch)));
+  for (std::size_t k = 0; k < plies.size(); ++k)
+    add_shape(charts, *plies[k].forming, model.ply[k].mesh, fields_of_ply(evaluation.end, model.mesh, k),
+              plies[k].name);
 }
 
 }  // namespace
@@ -170,7 +219,9 @@ Json run_charts(ResultFolder& folder, const Evaluation& evaluation) {
   if (!scene.measure.empty() || summary.bias)
     charts.push_back(chart_json("angle", angle_chart(scene, history, progress, summary)));
   if (summary.forming) add_forming(charts, *summary.forming, mesh, evaluation.end);
-  charts.push_back(distribution(mesh, folder.card(), evaluation.end));
+  add_forming_of_plies(charts, folder.model(), evaluation);
+  if (!summary.ply.empty()) add_slip(charts, history, progress);
+  charts.push_back(distribution(folder.model(), evaluation.end));
   charts.push_back(chart_json("energy", energy_chart(history, progress)));
   return charts;
 }

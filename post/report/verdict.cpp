@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/vector/angle.hpp"
+#include "mesher/mesh/stack.hpp"
 
 namespace weaveform {
 namespace {
@@ -39,7 +40,19 @@ std::string angle_words(double greatest, const Card& card) {
                      greatest, greatest <= limit ? "within" : "beyond", limit);
 }
 
+// Of a stack, of the ply that has most of it.
+double greatest_share(const Summary& summary, double (*share)(const PlySummary&)) {
+  double greatest = 0.0;
+  for (const PlySummary& ply : summary.ply) greatest = std::max(greatest, share(ply));
+  return greatest;
+}
+
 std::string wrinkle_words(const Summary& summary) {
+  if (!summary.ply.empty() && summary.ply.front().forming) {
+    const double share =
+        greatest_share(summary, [](const PlySummary& ply) { return ply.forming->wrinkles.area_share; });
+    return share > 0.0 ? fmt::format("{} of a ply's area wrinkled", percent(share)) : "no wrinkles";
+  }
   if (summary.forming) {
     const double share = summary.forming->wrinkles.area_share;
     return share > 0.0 ? fmt::format("{} of the area wrinkled", percent(share)) : "no wrinkles";
@@ -51,9 +64,15 @@ std::string wrinkle_words(const Summary& summary) {
   return "";
 }
 
+// Of one ply or, for all of a stack have the same tools, of its first.
+const Forming* forming_of(const Summary& summary) {
+  if (summary.forming) return &*summary.forming;
+  return !summary.ply.empty() && summary.ply.front().forming ? &*summary.ply.front().forming : nullptr;
+}
+
 std::string force_words(const Summary& summary) {
-  if (summary.forming && summary.forming->punch)
-    return fmt::format("{} at most {:.3g} N", summary.forming->punch->punch, summary.forming->punch->greatest);
+  if (const Forming* forming = forming_of(summary); forming != nullptr && forming->punch)
+    return fmt::format("{} at most {:.3g} N", forming->punch->punch, forming->punch->greatest);
   const GripSummary* most = nullptr;
   for (const GripSummary& grip : summary.grip)
     if (most == nullptr || std::abs(grip.largest_force) > std::abs(most->largest_force)) most = &grip;
@@ -104,6 +123,23 @@ void add_shape(Json& rows, const Summary& summary) {
                        fmt::format("of the area; farthest from its plane {:.3g} mm", summary.folds->out_of_plane)));
 }
 
+void add_plies(Json& rows, const Summary& summary) {
+  for (const PlySummary& ply : summary.ply) {
+    std::string note = fmt::format("{} cells of {}", ply.cells, ply.material);
+    if (ply.forming)
+      note += fmt::format("; draw-in {:.3g} mm at most, {:.3g} mm in the mean; {} of the area wrinkled",
+                          ply.forming->draw_in.greatest, ply.forming->draw_in.mean,
+                          percent(ply.forming->wrinkles.area_share));
+    rows.push_back(row(fmt::format("ply {}", ply.name), fmt::format("{:.1f}°", ply.max_shear_angle), note));
+  }
+  for (const PairStatistics& pair : summary.statistics.pairs)
+    rows.push_back(
+        row(fmt::format("slip of {} on {}", pair.upper, pair.lower), fmt::format("{:.3g} mm", pair.max_slip_mm),
+            fmt::format("at most, {:.3g} mm in the mean; pressure {:.3g} MPa and penetration {:.3g} mm at "
+                        "most, {:.3g} mJ lost to friction",
+                        pair.mean_slip_mm, pair.max_pressure_MPa, pair.max_penetration_mm, pair.friction_work_mJ)));
+}
+
 Json rows_of(const Summary& summary, const Card& card, const Greatest& greatest) {
   const SolveStatistics& s = summary.statistics;
   Json rows = Json::array();
@@ -115,6 +151,7 @@ Json rows_of(const Summary& summary, const Card& card, const Greatest& greatest)
   rows.push_back(row("cells beyond the card's range", fmt::format("{}", s.cells_beyond_card),
                      fmt::format("of {}; the shear law is meant to hold to {:g}°", s.cells, card.shear.valid_to_deg)));
   add_shape(rows, summary);
+  add_plies(rows, summary);
   add_forces(rows, summary);
   rows.push_back(row("greatest yarn strain", fmt::format("{:.2f} %", 100.0 * s.max_yarn_strain)));
   rows.push_back(row("energy error", percent(s.energy_error), "of the greatest energy, at the worst moment"));
@@ -135,7 +172,12 @@ Json trust_of(ResultFolder& folder, const Summary& summary) {
       "This "
       "one has {} cells{}.",
       s.cells, s.symmetry == "none" ? "" : fmt::format(", of which a {} was solved by symmetry", s.symmetry)));
-  const bool has_bending = scene.model.yarn == YarnElement::beam || scene.model.cell != CellElement::membrane;
+  const auto bends = [](const ModelSpec& model) {
+    return model.yarn == YarnElement::beam || model.cell != CellElement::membrane;
+  };
+  const bool has_bending = scene.ply.empty() ? bends(scene.model)
+                                             : std::all_of(scene.ply.begin(), scene.ply.end(),
+                                                           [&](const PlySpec& ply) { return bends(ply.model); });
   if (!has_bending)
     trust.push_back(
         "Without bending stiffness folds are as short as the cells: where it wrinkles is the fabric's answer, how "
@@ -153,8 +195,10 @@ Json verdict_json(ResultFolder& folder, const Evaluation& evaluation) {
   const Summary& summary = evaluation.summary;
   const Resolved& model = folder.model();
   const Greatest greatest = greatest_angle(model.mesh, evaluation.end);
-  return {{"headline", headline(summary, model.card, greatest.angle)},
-          {"rows", rows_of(summary, model.card, greatest)},
+  const std::vector<int> ply_of = ply_of_cells(model.mesh);
+  const Card& card = model.of_ply(static_cast<std::size_t>(ply_of[static_cast<std::size_t>(greatest.cell)])).card;
+  return {{"headline", headline(summary, card, greatest.angle)},
+          {"rows", rows_of(summary, card, greatest)},
           {"warnings", summary.warning},
           {"trust", trust_of(folder, summary)}};
 }

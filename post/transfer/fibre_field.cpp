@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/vector/eigen_vector.hpp"
 #include "mesher/exchange/gathered.hpp"
+#include "mesher/mesh/stack.hpp"
 #include "solver/result/result_folder.hpp"
 
 namespace weaveform {
@@ -73,6 +74,17 @@ FibreField read_fibre_field(ResultFolder& folder) {
   const FrameFile& last = folder.frames().back();
   FibreField field = fibre_field(folder.mesh(), folder.scene(), folder.positions(last));
   field.source = fmt::format("{} at {:.6g} s", folder.directory().string(), last.time);
+  return field;
+}
+
+FibreField read_fibre_field(ResultFolder& folder, std::size_t ply) {
+  const FrameFile& last = folder.frames().back();
+  const std::vector<Vec3> all = folder.positions(last);
+  const Resolved& model = folder.model();
+  const Range nodes = nodes_of_ply(model.mesh, ply);
+  FibreField field = fibre_field(model.of_ply(ply).mesh, model.of_ply(ply).scene,
+                                 {all.begin() + nodes.first, all.begin() + nodes.last});
+  field.source = fmt::format("{}{} at {:.6g} s", name_before(model, ply), folder.directory().string(), last.time);
   return field;
 }
 

@@ -48,6 +48,8 @@ struct FibreField {
 
 // From a solved folder: the last frame. Throws FileError, InputError as post_process does.
 [[nodiscard]] FibreField read_fibre_field(ResultFolder& folder);
+// The same of one ply of a stack.
+[[nodiscard]] FibreField read_fibre_field(ResultFolder& folder, std::size_t ply);
 // The same from a mesh and positions in memory.
 [[nodiscard]] FibreField fibre_field(const Mesh& mesh, const Scene& scene, const std::vector<Vec3>& position);
 // Mean of a shell's corners.

@@ -96,34 +96,40 @@ PlaneAngle angle_in_plane(const FibreField& field, const StateElement& element, 
   return {std::atan2(normal.dot(base.cross(d)), base.dot(d)), base.norm() >= least};
 }
 
-FibreText drape_openradioss(const FibreField& field, const std::string& written_by) {
-  FibreText result;
-  int steep = 0;
-  std::array<std::string, 2> block;
-  for (std::size_t f = 0; f < 2; ++f) {
-    const Vec3& flat = field.flat_direction[f];
-    for (const auto& element : field.element) {
-      if (element.far) continue;
-      const PlaneAngle found = angle_in_plane(field, element, flat, f == 0 ? element.state.warp : element.state.weft);
-      if (!found.good) ++steep;
-      block[f] += fmt::format("{:<10}{:>10}{:>20}{:>20}\n", element.node.size() == 4 ? "SHELL" : "SH3N", element.number,
-                              foreign::fit(element.state.thickness / field.flat_thickness, 19),
-                              foreign::fit(found.angle * degrees_per_radian, 19));
-    }
+std::string drape_block(const FibreField& field, std::size_t family, int number, const std::string& title, int& steep) {
+  const Vec3& flat = field.flat_direction[family];
+  std::string text = fmt::format(
+      "# Angle from the projection of ({:.6g}, {:.6g}, {:.6g}) into the shell: the ply's reference direction\n"
+      "/DRAPE/{}\n{}\n#Entity  Entity_ID            Thinning         theta_drape\n",
+      flat[0], flat[1], flat[2], number, title);
+  for (const auto& element : field.element) {
+    if (element.far) continue;
+    const PlaneAngle found =
+        angle_in_plane(field, element, flat, family == 0 ? element.state.warp : element.state.weft);
+    if (!found.good) ++steep;
+    text += fmt::format("{:<10}{:>10}{:>20}{:>20}\n", element.node.size() == 4 ? "SHELL" : "SH3N", element.number,
+                        foreign::fit(element.state.thickness / field.flat_thickness, 19),
+                        foreign::fit(found.angle * degrees_per_radian, 19));
   }
-  result.not_carried = {"fibre volume and mass ratios, distances: only in csv and vtu"};
+  return text;
+}
+
+std::vector<std::string> drape_not_carried(int steep) {
+  std::vector<std::string> lines = {"fibre volume and mass ratios, distances: only in csv and vtu"};
   if (steep > 0)
-    result.not_carried.push_back(
+    lines.push_back(
         fmt::format("{} angles are poor: the flat direction is within 5 deg of the shell's "
                     "normal there; take the directions from csv or vtu",
                     steep));
-  const auto direction = [](const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); };
-  result.text = fibre_header("#", field, written_by, result.not_carried);
-  for (std::size_t f = 0; f < 2; ++f)
-    result.text += fmt::format(
-        "# Angle from the projection of {} into the shell: the ply's reference direction\n"
-        "/DRAPE/{}\n{}\n#Entity  Entity_ID            Thinning         theta_drape\n{}",
-        direction(field.flat_direction[f]), f + 1, f == 0 ? "warp" : "weft", block[f]);
+  return lines;
+}
+
+FibreText drape_openradioss(const FibreField& field, const std::string& written_by) {
+  int steep = 0;
+  const std::string blocks = drape_block(field, 0, 1, "warp", steep) + drape_block(field, 1, 2, "weft", steep);
+  FibreText result;
+  result.not_carried = drape_not_carried(steep);
+  result.text = fibre_header("#", field, written_by, result.not_carried) + blocks;
   return result;
 }
 

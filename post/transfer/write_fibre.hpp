@@ -37,6 +37,10 @@ struct FibreText {
 // /DRAPE/1 of the warp ply and /DRAPE/2 of the weft ply: thinning t/t0 and the yarn's angle from the flat warp (weft)
 // direction projected into the shell, counter-clockwise about its normal.
 [[nodiscard]] FibreText drape_openradioss(const FibreField& field, const std::string& written_by);
+// One /DRAPE block of a family (0 warp, 1 weft); counts in `steep` the angles that are poor. And what such files lack.
+[[nodiscard]] std::string drape_block(const FibreField& field, std::size_t family, int number, const std::string& title,
+                                      int& steep);
+[[nodiscard]] std::vector<std::string> drape_not_carried(int steep);
 // One row per element: element,x_mm,y_mm,z_mm,warp_x..z,weft_x..z,shear_angle_deg,thickness_mm,fibre_volume_ratio,
 // fibre_mass_ratio,distance_mm,on_fabric (0: far from it, and the other values zero)
 [[nodiscard]] FibreText fibre_csv(const FibreField& field);

@@ -1,23 +1,32 @@
 #include "post/trust/warnings.hpp"
 
+#include <array>
+
 #include "post/trust/borders.hpp"
 
 namespace weaveform {
+namespace {
 
-std::vector<std::string> warnings(const FinishedRun& run) {
+struct Border {
+  void (*look)(const FinishedRun&, Warnings&);
+  WarningsOf of;
+};
+
+// In the order in which they are said.
+constexpr std::array borders = {
+    Border{warn_of_coarse_on_tools, WarningsOf::one_ply},     Border{warn_of_fast_loading, WarningsOf::whole_run},
+    Border{warn_of_folds_of_the_mesh, WarningsOf::one_ply},   Border{warn_of_unsteady_tools, WarningsOf::whole_run},
+    Border{warn_of_compressed_yarns, WarningsOf::one_ply},    Border{warn_of_energy_error, WarningsOf::whole_run},
+    Border{warn_of_folded_cells, WarningsOf::whole_run},      Border{warn_of_formulation, WarningsOf::one_ply},
+    Border{warn_of_idle_scene, WarningsOf::whole_run},        Border{warn_of_idle_tools, WarningsOf::whole_run},
+    Border{warn_of_stretch_beyond_card, WarningsOf::one_ply}, Border{warn_of_shear_beyond_card, WarningsOf::one_ply}};
+
+}  // namespace
+
+std::vector<std::string> warnings(const FinishedRun& run, WarningsOf of) {
   Warnings all;
-  warn_of_coarse_on_tools(run, all);
-  warn_of_fast_loading(run, all);
-  warn_of_folds_of_the_mesh(run, all);
-  warn_of_unsteady_tools(run, all);
-  warn_of_compressed_yarns(run, all);
-  warn_of_energy_error(run, all);
-  warn_of_folded_cells(run, all);
-  warn_of_formulation(run, all);
-  warn_of_idle_scene(run, all);
-  warn_of_idle_tools(run, all);
-  warn_of_stretch_beyond_card(run, all);
-  warn_of_shear_beyond_card(run, all);
+  for (const Border& border : borders)
+    if (of == WarningsOf::all || of == border.of) border.look(run, all);
   return all;
 }
 

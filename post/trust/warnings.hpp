@@ -27,7 +27,11 @@ struct FinishedRun {
   const Summary& summary;
 };
 
+// Which borders: all, those of a run as a whole, or those of one ply of a stack, whose own scene, card, mesh and fields
+// the run then has.
+enum class WarningsOf { all, whole_run, one_ply };
+
 // One line each: what is wrong, the number against its border, what to do. Empty when nothing is.
-[[nodiscard]] std::vector<std::string> warnings(const FinishedRun& run);
+[[nodiscard]] std::vector<std::string> warnings(const FinishedRun& run, WarningsOf of = WarningsOf::all);
 
 }  // namespace weaveform

@@ -28,6 +28,8 @@ Resolved model_of(const std::string& scene, const std::vector<std::string>& over
       .of_card = [](const Scene& read, const Card& card) { (void)choose_flexure(card, read.model); }};
   Resolved model = resolve(scene, overrides, found, checks);
   found.throw_if_any();
+  if (!model.ply.empty())
+    throw InputError(scene + ": a world in Python's own process holds one ply; run a stack with weaveform.run");
   return model;
 }
 

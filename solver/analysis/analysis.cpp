@@ -26,27 +26,48 @@ int choose_threads(int wanted, int cells) {
 
 }  // namespace
 
-Analysis::Analysis(const Resolved& model, const SymmetricPart* part, std::filesystem::path directory,
+Analysis::Analysis(const Resolved& model, std::vector<SymmetricPart> parts, std::filesystem::path directory,
                    const SolveOptions& options)
     : model_(model),
       whole_(model.mesh),
       scene_(model.scene),
-      card_(model.card),
+      parts_(std::move(parts)),
       directory_(std::move(directory)),
       options_(options),
-      team_(choose_threads(options.threads, part != nullptr ? part->mesh.cells.size() : whole_.cells.size())),
-      loading_(choose_loading(scene_, card_, model.extent())),
-      world_({.plies = {{.whole = whole_, .part = part, .card = card_, .scene = scene_}},
-              .tools = model.tools,
-              .scene = scene_,
-              .loading = loading_,
-              .team = team_}),
+      team_(choose_threads(options.threads, cells_solved())),
+      loading_(choose_loading(model_)),
+      world_(world_setup()),
       outputs_(model, world_, directory_),
       verdict_(scene_, world_.duration()),
       checkpoint_file_(options.checkpoint_file.empty() && !directory_.empty() ? directory_ / file_name::checkpoint
                                                                               : options.checkpoint_file),
       clock_(scene_.output.checkpoint_minutes),
       started_(std::chrono::steady_clock::now()) {}
+
+int Analysis::cells_solved() const {
+  if (parts_.empty()) return whole_.cells.size();
+  int cells = 0;
+  for (const SymmetricPart& part : parts_) cells += part.mesh.cells.size();
+  return cells;
+}
+
+WorldSetup Analysis::world_setup() {
+  WorldSetup setup{.plies = {}, .tools = model_.tools, .scene = scene_, .loading = loading_, .team = team_};
+  for (std::size_t k = 0; k < model_.plies(); ++k) {
+    const Resolved& ply = model_.of_ply(k);
+    setup.plies.push_back({.whole = ply.mesh,
+                           .part = parts_.empty() ? nullptr : &parts_[k],
+                           .card = ply.card,
+                           .scene = ply.scene,
+                           .tools = &ply.tools});
+  }
+  for (const MeshPly& ply : whole_.ply) setup.ply_names.push_back(ply.name);
+  setup.pair_law = [this](int lower, int upper) {
+    const ResolvedPair& pair = model_.pair[pair_number(lower, upper)];
+    return PairLaw{pair.friction, pair.shear_law, pair.compaction};
+  };
+  return setup;
+}
 
 SolveResult Analysis::run() {
   open();
@@ -140,7 +161,7 @@ void Analysis::check_state() {
   checked_step_ = world_.steps();
   for (std::size_t k = 0; k < world_.size(); ++k)
     if (const std::string found = world_.ply(k).trouble([&] { return what_to_do(); }, is_hasty()); !found.empty())
-      fail(found);
+      fail(name_before(model_, k) + found);
 }
 
 void Analysis::open_outputs() {
@@ -208,8 +229,7 @@ void Analysis::report_progress() {
   const double fraction = world_.time() / world_.duration();
   if (options_.quiet || !options_.progress.is_due(fraction)) return;
   const double seconds = wall();
-  const double rate =
-      seconds > 0.0 ? static_cast<double>(world_.steps()) * world_.ply(0).mesh().cells.size() / seconds : 0.0;
+  const double rate = seconds > 0.0 ? static_cast<double>(world_.steps()) * cells_solved() / seconds : 0.0;
   const EnergyBalance& balance = world_.balance();
   options_.progress.update(
       fraction, fmt::format("{:.1f} M cell-steps/s  step {}  kinetic/internal {:.2g}", 1e-6 * rate, world_.steps(),
@@ -223,6 +243,7 @@ double Analysis::wall() const {
 double Analysis::contact_wall() const {
   double sum = contact_wall_before_;
   for (std::size_t k = 0; k < world_.size() && world_.tools() != nullptr; ++k) sum += world_.contact(k)->wall_s();
+  if (world_.ply_contact() != nullptr) sum += world_.ply_contact()->wall_s();
   return sum;
 }
 
@@ -230,13 +251,12 @@ double Analysis::contact_wall() const {
 std::string Analysis::what_to_do() const {
   if (is_hasty())
     return fmt::format("load it more slowly: the duration is {:.3g} s, and {:.3g} s would be chosen for this scene",
-                       world_.duration(), automatic_duration(scene_, card_, model_.extent()));
+                       world_.duration(), automatic_duration(model_));
   return fmt::format("lower analysis.step_factor (now {})", scene_.analysis.step_factor);
 }
 
 bool Analysis::is_hasty() const {
-  return scene_.analysis.step_factor <= 1.0 &&
-         world_.duration() < hasty_share * automatic_duration(scene_, card_, model_.extent());
+  return scene_.analysis.step_factor <= 1.0 && world_.duration() < hasty_share * automatic_duration(model_);
 }
 
 void Analysis::fail(const std::string& what) const {

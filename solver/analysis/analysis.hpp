@@ -17,9 +17,9 @@ namespace weaveform {
 
 class Analysis {
 public:
-  // Of model.mesh, the whole. `part` of it is solved when given; results are those of the whole all the same. Both must
-  // outlive the analysis.
-  Analysis(const Resolved& model, const SymmetricPart* part, std::filesystem::path directory,
+  // Of all plies of the model, which must outlive the analysis. Of each ply its part is solved where there are `parts`
+  // (parts_to_solve); results are those of the whole all the same.
+  Analysis(const Resolved& model, std::vector<SymmetricPart> parts, std::filesystem::path directory,
            const SolveOptions& options);
   SolveResult run();
 
@@ -58,6 +58,8 @@ private:
   [[nodiscard]] double wall() const;           // s; so far
   [[nodiscard]] double contact_wall() const;   // s; of it, in contact
   [[nodiscard]] SolveStatistics statistics();  // of the last row or frame
+  [[nodiscard]] WorldSetup world_setup();
+  [[nodiscard]] int cells_solved() const;
   [[nodiscard]] std::string what_to_do() const;
   [[nodiscard]] bool is_hasty() const;
   [[noreturn]] void fail(const std::string& what) const;
@@ -65,7 +67,7 @@ private:
   const Resolved& model_;
   const Mesh& whole_;
   const Scene& scene_;
-  const Card& card_;
+  std::vector<SymmetricPart> parts_;  // of each ply, or none
   std::filesystem::path directory_;
   SolveOptions options_;
   Team team_;

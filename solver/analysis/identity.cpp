@@ -21,7 +21,9 @@ constexpr std::array free_keys = {"output.contour_step", "output.checkpoint_minu
 
 // Of the places of files, whose contents count.
 bool is_place(const std::string& key) {
-  return key == "blank.outline" || key == "fabric.material" || (key.starts_with("tools.") && key.ends_with(".file"));
+  return key == "blank.outline" || key == "fabric.material" || (key.starts_with("tools.") && key.ends_with(".file")) ||
+         (key.starts_with("ply.") && (key.ends_with(".outline") || key.ends_with(".material"))) ||
+         (key.starts_with("stack.") && (key.ends_with(".friction_law") || key.ends_with(".compaction")));
 }
 
 // A run can go on when its outline is gone, for its mesh is there.
@@ -71,6 +73,14 @@ std::string mesh_digest(const Mesh& mesh) {
   digest.add(mesh.spacing);
   digest.add(mesh.lattice_size);
   digest.add(mesh.thickness);
+  for (const auto& ply : mesh.ply) {
+    digest.add(ply.name);
+    digest.add(ply.spacing);
+    digest.add(ply.lattice_size);
+    digest.add(ply.thickness);
+    for (const int first : {ply.first_node, ply.first_yarn, ply.first_cell, ply.first_tie, ply.first_row})
+      digest.add(static_cast<double>(first));
+  }
   return digest.hex();
 }
 
@@ -79,13 +89,18 @@ Identity identity_of(const Resolved& model, const std::string& program) {
   Identity identity = {{"program", program}};
   const Identity values = scene_identity(scene);
   identity.insert(identity.end(), values.begin(), values.end());
-  identity.push_back({"card " + model.card.name, digest_of(card_to_toml(model.card)), true});
+  for (std::size_t k = 0; k < model.plies(); ++k)
+    identity.push_back({name_before(model, k) + "card " + model.of_ply(k).card.name,
+                        digest_of(card_to_toml(model.of_ply(k).card)), true});
   for (const auto& tool : scene.tools)
     if (!tool.file.empty()) identity.push_back(file_item("tool file", tool_path(tool.file, scene.file)));
   for (const Tool& tool : model.tools)
     if (!tool.surface_digest.empty()) identity.push_back({"surface of tool " + tool.name, tool.surface_digest, true});
-  if (!scene.blank.outline.empty())
-    identity.push_back(file_item("outline file", fs::path(scene.file).parent_path() / scene.blank.outline));
+  for (std::size_t k = 0; k < model.plies(); ++k)
+    if (const std::string& outline = model.of_ply(k).scene.blank.outline; !outline.empty())
+      identity.push_back(
+          file_item(name_before(model, k) + "outline file", fs::path(scene.file).parent_path() / outline));
+  for (const std::string& file : law_files(scene)) identity.push_back(file_item("law file", file));
   identity.push_back({"mesh", mesh_digest(model.mesh), true});
   return identity;
 }

@@ -74,4 +74,23 @@ Loading choose_loading(const Scene& scene, const Card& card, const std::array<do
   return loading;
 }
 
+double automatic_duration(const Resolved& model) {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < model.plies(); ++k) {
+    const Resolved& ply = model.of_ply(k);
+    longest = std::max(longest, automatic_duration(ply.scene, ply.card, ply.extent()));
+  }
+  return longest;
+}
+
+Loading choose_loading(const Resolved& model) {
+  Loading slowest;
+  for (std::size_t k = 0; k < model.plies(); ++k) {
+    const Resolved& ply = model.of_ply(k);
+    const Loading own = choose_loading(ply.scene, ply.card, ply.extent());
+    if (k == 0 || own.duration > slowest.duration) slowest = own;
+  }
+  return slowest;
+}
+
 }  // namespace weaveform

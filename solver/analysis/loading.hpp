@@ -19,6 +19,7 @@
 #include <array>
 
 #include "fabric/card/card.hpp"
+#include "mesher/resolve/resolved.hpp"
 #include "mesher/scene/scene.hpp"
 
 namespace weaveform {
@@ -43,5 +44,9 @@ inline constexpr double hasty_share = 0.2;
 [[nodiscard]] double automatic_duration(const Scene& scene, const Card& card, const std::array<double, 2>& extent);
 
 [[nodiscard]] Loading choose_loading(const Scene& scene, const Card& card, const std::array<double, 2>& extent);
+
+// The same of a scene with all its plies: those of the ply that wants the longest duration.
+[[nodiscard]] double automatic_duration(const Resolved& model);
+[[nodiscard]] Loading choose_loading(const Resolved& model);
 
 }  // namespace weaveform

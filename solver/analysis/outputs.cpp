@@ -18,60 +18,91 @@ const std::vector<ToolReading>& readings(const World& world) {
   return world.tools() != nullptr ? world.tools()->readings() : none;
 }
 
-}  // namespace
-
-Outputs::Outputs(const Resolved& model, const World& world, std::filesystem::path directory)
-    : scene_(model.scene),
-      ply_(world.ply(0)),
-      directory_(std::move(directory)),
-      plane_(blank_plane(ply_.whole())),
-      recorder_(ply_.holds().grips(), make_probes(scene_, ply_.whole(), model.extent()[0]), world.duration(),
-                scene_.output.history),
-      row_schedule_(world.duration(), scene_.output.history),
-      frame_schedule_(world.duration(), scene_.output.frames) {
-  if (scene_.frame)
-    recorder_.evaluate_frame({scene_.frame->length, scene_.blank.size[0]},
-                             static_cast<int>(ply_.holds().grips().size()) - 1);
-  if (!scene_.tools.empty()) recorder_.record_tools(scene_.tools);
+std::vector<BlankPlane> planes_of(const World& world) {
+  std::vector<BlankPlane> planes;
+  for (std::size_t k = 0; k < world.size(); ++k) planes.push_back(blank_plane(world.ply(k).whole()));
+  return planes;
 }
 
-// The frames and the index follow the mesh's number of nodes; files of the run before stay until the checkpoint is
-// read.
-void Outputs::open_files() {
-  if (directory_.empty()) return;
-  frames_ = std::make_unique<FrameWriter>(directory_, ply_.whole(), frame_times_, tool_names(scene_));
-  history_file_ =
-      std::make_unique<HistoryFile>(directory_ / file_name::history, recorder_.history(), recorder_.closed_rows());
-}
-
-ContactState Outputs::whole_contact_state(const World& world) const {
-  ContactState state = world.contact(0)->contact_state(ply_.state());
-  if (ply_.part() == nullptr) return state;
-  const auto share = node_share(ply_.mesh().symmetry, ply_.mesh().node_count());
+ContactState whole_contact_state(const Ply& ply, const Contact& contact) {
+  ContactState state = contact.contact_state(ply.state());
+  if (ply.part() == nullptr) return state;
+  const auto share = node_share(ply.mesh().symmetry, ply.mesh().node_count());
   std::vector<int> source;
   std::vector<double> factor;
-  for (const auto& image : ply_.part()->image) {
+  for (const auto& image : ply.part()->image) {
     source.push_back(image.node);
     factor.push_back(1.0 / share[image.node]);
   }
   return unfolded(state, source, factor);
 }
 
+}  // namespace
+
+// Sums are those of all parts.
+std::vector<PairReading> whole_pairs(const World& world) {
+  if (world.ply_contact() == nullptr) return {};
+  std::vector<PairReading> pairs = world.ply_contact()->pairs();
+  for (PairReading& pair : pairs)
+    for (double* sum :
+         {&pair.area, &pair.force, &pair.friction_force, &pair.stored, &pair.friction_work, &pair.damping_work})
+      *sum *= world.parts();
+  return pairs;
+}
+
+Outputs::Outputs(const Resolved& model, const World& world, std::filesystem::path directory)
+    : scene_(model.scene),
+      whole_(model.mesh),
+      directory_(std::move(directory)),
+      plane_(planes_of(world)),
+      grips_(world),
+      recorder_(grips_.grips(), make_probes(model), world.duration(), scene_.output.history),
+      row_schedule_(world.duration(), scene_.output.history),
+      frame_schedule_(world.duration(), scene_.output.frames) {
+  if (scene_.frame)
+    recorder_.evaluate_frame({scene_.frame->length, scene_.blank.size[0]}, static_cast<int>(grips_.grips().size()) - 1);
+  if (!scene_.tools.empty()) recorder_.record_tools(scene_.tools);
+  if (!whole_.ply.empty()) recorder_.record_plies(whole_.cells, whole_.ply);
+}
+
+// The frames and the index follow the mesh's number of nodes; files of the run before stay until the checkpoint is
+// read.
+void Outputs::open_files() {
+  if (directory_.empty()) return;
+  frames_ = std::make_unique<FrameWriter>(directory_, whole_, frame_times_, tool_names(scene_));
+  history_file_ =
+      std::make_unique<HistoryFile>(directory_ / file_name::history, recorder_.history(), recorder_.closed_rows());
+}
+
+// Of a frame everything, with what the contacts show; of a row what it shows.
+Fields Outputs::fields_of_ply(const World& world, std::size_t number, bool frame_due) const {
+  const Ply& ply = world.ply(number);
+  const double time = world.time();
+  const auto position = ply.whole_positions();
+  // the last row's are what a run ends with
+  Fields fields = frame_due || world.finished() ? compute_fields(ply.whole(), ply.card(), ply.model(), time, position)
+                                                : compute_row_fields(ply.whole(), plane_[number], time, position,
+                                                                     !scene_.measure.empty() || !whole_.ply.empty());
+  if (!frame_due) return fields;
+  if (world.contact(number) != nullptr) fields.contact = whole_contact_state(ply, *world.contact(number));
+  if (world.ply_contact() != nullptr) {
+    fields.between = world.ply_contact()->state_of(static_cast<int>(number));
+    if (ply.part() != nullptr) fields.between = unfolded(*fields.between, *ply.part());
+  }
+  return fields;
+}
+
 bool Outputs::look(const World& world) {
   const double time = world.time();
   const bool row_due = row_schedule_.due(time), frame_due = frame_schedule_.due(time);
-  const auto position = ply_.whole_positions();
-  // the last row's are what a run ends with
-  fields_ = frame_due || world.finished()
-                ? compute_fields(ply_.whole(), ply_.card(), ply_.model(), time, position)
-                : compute_row_fields(ply_.whole(), plane_, time, position, !scene_.measure.empty());
+  fields_ = fields_of_ply(world, 0, frame_due);
+  for (std::size_t k = 1; k < world.size(); ++k) append(fields_, fields_of_ply(world, k, frame_due));
   if (row_due) {
     row_schedule_.advance(time);
     row_open_ = true;
   }
   if (!frame_due) return false;
   frame_schedule_.advance(time);
-  if (world.contact(0) != nullptr) fields_.contact = whole_contact_state(world);
   if (!frames_) return false;
   frames_->write(fields_);
   frame_times_ = frames_->times();
@@ -79,13 +110,14 @@ bool Outputs::look(const World& world) {
 }
 
 void Outputs::record_forces(World& world, double time) {
-  recorder_.add_forces(time, world.kick(), world.ply(0).holds().whole_forces(), readings(world));
+  recorder_.add_forces(time, world.kick(), grips_.forces(world), readings(world));
 }
 
 // The row's forces follow when their window closes; this step's open the next window when it is later than that.
 void Outputs::close_row(const World& world) {
   row_open_ = false;
-  recorder_.add_row(fields_.time, ply_.holds().displacement(), fields_, world.balance(), readings(world));
+  recorder_.add_row(fields_.time, grips_.displacements(world), fields_, world.balance(), readings(world),
+                    whole_pairs(world));
 }
 
 void Outputs::append_rows() {

@@ -10,15 +10,19 @@
 #include "mesher/resolve/resolved.hpp"
 #include "solver/analysis/recorder.hpp"
 #include "solver/analysis/schedule.hpp"
+#include "solver/analysis/whole_grips.hpp"
 #include "solver/analysis/world.hpp"
 #include "solver/result/history_file.hpp"
 #include "solver/result/result.hpp"
 
 namespace weaveform {
 
+// What the plies of a world do to each other, of the whole.
+[[nodiscard]] std::vector<PairReading> whole_pairs(const World& world);
+
 class Outputs {
 public:
-  // Of the first ply of the world. An empty `directory` writes nothing.
+  // Of all plies of the world. An empty `directory` writes nothing.
   Outputs(const Resolved& model, const World& world, std::filesystem::path directory);
 
   // Begins the files, or goes on with them after an archive was read.
@@ -48,12 +52,13 @@ public:
   void archive(Archive& archive);
 
 private:
-  [[nodiscard]] ContactState whole_contact_state(const World& world) const;
+  [[nodiscard]] Fields fields_of_ply(const World& world, std::size_t ply, bool frame_due) const;
 
   const Scene& scene_;
-  const Ply& ply_;
+  const Mesh& whole_;  // of all plies
   std::filesystem::path directory_;
-  BlankPlane plane_;  // of the whole
+  std::vector<BlankPlane> plane_;  // per ply
+  WholeGrips grips_;
   Recorder recorder_;
   Schedule row_schedule_, frame_schedule_;
   std::unique_ptr<FrameWriter> frames_;

@@ -6,12 +6,18 @@ namespace weaveform {
 
 Resolved with_scaled_mass(Resolved model) {
   for (double& mass : model.mesh.nodes.mass) mass *= model.scene.analysis.mass_scale;
+  for (Resolved& ply : model.ply) ply = with_scaled_mass(std::move(ply));
   return model;
 }
 
-std::optional<SymmetricPart> part_to_solve(const Resolved& model) {
-  if (model.symmetry.plane.empty()) return {};
-  return cut_part(model.mesh, model.symmetry, choose_flexure(model.card, model.scene.model).bends_yarns);
+std::vector<SymmetricPart> parts_to_solve(const Resolved& model) {
+  std::vector<SymmetricPart> parts;
+  if (model.symmetry.plane.empty()) return parts;
+  for (std::size_t k = 0; k < model.plies(); ++k) {
+    const Resolved& ply = model.of_ply(k);
+    parts.push_back(cut_part(ply.mesh, ply.symmetry, choose_flexure(ply.card, ply.scene.model).bends_yarns));
+  }
+  return parts;
 }
 
 }  // namespace weaveform

@@ -1,7 +1,7 @@
 // What an analysis is made of, from a resolved scene: the mass it moves, and the part of the blank it solves.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "mesher/resolve/resolved.hpp"
 #include "mesher/symmetry/cut_part.hpp"
@@ -12,7 +12,7 @@ namespace weaveform {
 // chosen by the real mass and weight is the real weight.
 [[nodiscard]] Resolved with_scaled_mass(Resolved model);
 
-// The half or quarter of the mesh that is solved for the whole; none: the whole is.
-[[nodiscard]] std::optional<SymmetricPart> part_to_solve(const Resolved& model);
+// The half or quarter of each ply's mesh that is solved for the whole; empty: the whole is.
+[[nodiscard]] std::vector<SymmetricPart> parts_to_solve(const Resolved& model);
 
 }  // namespace weaveform

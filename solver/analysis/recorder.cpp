@@ -1,6 +1,8 @@
 #include "solver/analysis/recorder.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace weaveform {
@@ -15,7 +17,23 @@ std::array<double, tool_means> means_of(const ToolReading& tool) {
   return {tool.force, tool.area, tool.whole_force[0], tool.whole_force[1], tool.whole_force[2]};
 }
 
+constexpr int most_plies_in_all_pairs = 8;
+constexpr std::array pair_columns = {".contact_area_mm2", ".force_N",          ".slip_mm",         ".mean_slip_mm",
+                                     ".pressure_MPa",     ".stored_energy_mJ", ".friction_work_mJ"};
+
+std::array<double, pair_columns.size()> values_of(const PairReading& pair) {
+  return {pair.area, pair.force, pair.greatest_slip, pair.mean_slip, pair.pressure, pair.stored, pair.friction_work};
+}
+
 }  // namespace
+
+std::vector<std::array<int, 2>> recorded_pairs(int plies) {
+  std::vector<std::array<int, 2>> pairs;
+  for (int lower = 0; lower < plies; ++lower)
+    for (int upper = lower + 1; upper < plies; ++upper)
+      if (plies <= most_plies_in_all_pairs || upper == lower + 1) pairs.push_back({lower, upper});
+  return pairs;
+}
 
 Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, double duration, int rows)
     : grip_count_(static_cast<int>(grips.size())), probes_(std::move(probes)), duration_(duration), rows_(rows) {
@@ -46,6 +64,18 @@ void Recorder::record_tools(const std::vector<ToolSpec>& tools) {
   for (const auto& tool : tools)
     for (const char* what : tool_columns) history_.column.push_back(tool.name + what);
   window_.impulse.assign(grip_count_ + tool_means * tool_count_, 0.0);
+}
+
+void Recorder::record_plies(const MeshCells& cells, const std::vector<MeshPly>& plies) {
+  ply_column_ = static_cast<int>(history_.column.size());
+  for (const MeshPly& ply : plies) {
+    first_cell_.push_back(ply.first_cell);
+    history_.column.push_back(ply.name + ".max_shear_angle_deg");
+  }
+  first_cell_.push_back(cells.size());
+  pairs_ = recorded_pairs(static_cast<int>(plies.size()));
+  for (const auto& [lower, upper] : pairs_)
+    for (const char* what : pair_columns) history_.column.push_back(plies[lower].name + "/" + plies[upper].name + what);
 }
 
 void Recorder::add_forces(double time, double kick, const std::vector<double>& force,
@@ -80,7 +110,8 @@ void Recorder::close_window() {
 }
 
 void Recorder::add_row(double time, const std::vector<double>& displacement, const Fields& fields,
-                       const EnergyBalance& balance, const std::vector<ToolReading>& tools) {
+                       const EnergyBalance& balance, const std::vector<ToolReading>& tools,
+                       const std::vector<PairReading>& pairs) {
   if (window_.row < static_cast<int>(history_.row.size())) close_window();  // steps longer than half a row
   std::vector<double> row = {time};
   for (int g = 0; g < grip_count_; ++g) {
@@ -95,7 +126,24 @@ void Recorder::add_row(double time, const std::vector<double>& displacement, con
                          balance.hourglass, balance.error()});
   row.resize(history_.column.size(), 0.0);
   for (int t = 0; t < tool_count_; ++t) row[tool_column_ + tool_width * t] = tools[t].displacement;
+  add_plies(fields, pairs, row);
   history_.row.push_back(std::move(row));
+}
+
+void Recorder::add_plies(const Fields& fields, const std::vector<PairReading>& pairs, std::vector<double>& row) const {
+  int column = ply_column_;
+  for (std::size_t k = 0; k + 1 < first_cell_.size(); ++k) {
+    double most = 0.0;
+    for (int cell = first_cell_[k]; cell < first_cell_[k + 1]; ++cell)
+      most = std::max(most, std::abs(fields.shear_angle[cell]));
+    row[column++] = most * 180.0 / std::numbers::pi;
+  }
+  for (const auto& [lower, upper] : pairs_) {
+    const auto reading = std::find_if(pairs.begin(), pairs.end(), [&](const PairReading& pair) {
+      return pair.lower == lower && pair.upper == upper;
+    });
+    for (const double value : reading == pairs.end() ? values_of({}) : values_of(*reading)) row[column++] = value;
+  }
 }
 
 void Recorder::finish() {

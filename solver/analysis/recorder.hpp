@@ -3,12 +3,14 @@
 // instant's value.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "fabric/trellis/shear_frame.hpp"
 #include "solver/analysis/balance.hpp"
 #include "solver/constraint/grips.hpp"
+#include "solver/contact/ply_contact.hpp"
 #include "solver/result/probe.hpp"
 #include "solver/result/result.hpp"
 #include "solver/state/archive.hpp"
@@ -28,12 +30,16 @@ public:
   // fabric along its motion (of a tool at rest along its axis), contact area, and the force's components x, y, z.
   void record_tools(const std::vector<ToolSpec>& tools);
 
+  // Of a stack, each row also says of every ply its greatest |shear angle|, and of every pair of plies that is recorded
+  // (recorded_pairs) how it touches and slides.
+  void record_plies(const MeshCells& cells, const std::vector<MeshPly>& plies);
+
   // Adds the grips' forces (N, along their directions) and the tools' readings over `kick` seconds around `time`.
   void add_forces(double time, double kick, const std::vector<double>& force,
                   const std::vector<ToolReading>& tools = {});
   // Appends the row of `time`; its forces are filled in when their window closes.
   void add_row(double time, const std::vector<double>& displacement, const Fields& fields, const EnergyBalance& balance,
-               const std::vector<ToolReading>& tools = {});
+               const std::vector<ToolReading>& tools = {}, const std::vector<PairReading>& pairs = {});
   // Closes the last window.
   void finish();
 
@@ -49,6 +55,7 @@ private:
     int row = 0;                  // the row this window belongs to
   };
   void close_window();
+  void add_plies(const Fields& fields, const std::vector<PairReading>& pairs, std::vector<double>& row) const;
   int grip_count_;
   int tool_count_ = 0, tool_column_ = 0;
   std::vector<Probe> probes_;
@@ -59,6 +66,12 @@ private:
   int frame_column_ = 0;
   History history_;
   Window window_;
+  std::vector<int> first_cell_;            // of each ply of a stack, and the number of cells
+  std::vector<std::array<int, 2>> pairs_;  // recorded
+  int ply_column_ = 0;
 };
+
+// The pairs whose columns history.csv has: all of up to eight plies, of more the neighbours.
+[[nodiscard]] std::vector<std::array<int, 2>> recorded_pairs(int plies);
 
 }  // namespace weaveform

@@ -9,8 +9,7 @@ namespace weaveform {
 
 Steered::Steered(Resolved model, int threads)
     : model_(model.scene.analysis.mass_scale != 1.0 ? with_scaled_mass(std::move(model)) : std::move(model)),
-      part_(part_to_solve(model_)),
-      analysis_(std::make_unique<Analysis>(model_, part_ ? &*part_ : nullptr, std::filesystem::path(),
+      analysis_(std::make_unique<Analysis>(model_, parts_to_solve(model_), std::filesystem::path(),
                                            SolveOptions{.threads = threads, .quiet = true})) {}
 
 void Steered::step() {

@@ -43,7 +43,6 @@ private:
   void take_step();
 
   Resolved model_;
-  std::optional<SymmetricPart> part_;
   std::unique_ptr<Analysis> analysis_;
   NodalLoad* load_ = nullptr;  // of the ply, which owns it
   bool begun_ = false, ended_ = false;

@@ -12,6 +12,22 @@ namespace {
 constexpr std::int64_t settling_steps = 500;
 constexpr double settling_share = 0.25;
 
+// What contact with other plies means for a ply's stable step.
+class StackedPly : public Actor {
+public:
+  StackedPly(const PlyContact& contact, int ply) : contact_(contact), ply_(ply) {}
+  [[nodiscard]] std::string name() const override { return "contact between plies"; }
+  void add_forces(State& /*state*/, double /*step*/) override {}  // the world asks the contact of all
+  void add_stiffness_bound(const std::vector<Vec3>& /*position*/, double fabric_frequency,
+                           std::vector<double>& bound) const override {
+    contact_.add_stiffness_bound(ply_, fabric_frequency, bound);
+  }
+
+private:
+  const PlyContact& contact_;
+  int ply_;
+};
+
 }  // namespace
 
 World::World(const WorldSetup& setup)
@@ -27,7 +43,24 @@ World::World(const WorldSetup& setup)
                                                     .duration = duration_,
                                                     .damping = setup.loading.damping,
                                                     .team = setup.team}));
+  if (setup.pair_law && plies_.size() > 1) make_ply_contact(setup);
   if (!setup.tools.empty()) make_tools(setup);
+}
+
+void World::make_ply_contact(const WorldSetup& setup) {
+  double step = std::numeric_limits<double>::infinity();
+  std::vector<Ply*> plies;
+  for (auto& ply : plies_) {
+    plies.push_back(ply.get());
+    step = std::min(step, ply->fabric_step());
+  }
+  ply_contact_ = std::make_unique<PlyContact>(PlyContactSetup{.plies = plies,
+                                                              .names = setup.ply_names,
+                                                              .law = setup.pair_law,
+                                                              .frequency = contact_frequency(scene_.analysis, step),
+                                                              .team = setup.team});
+  for (std::size_t k = 0; k < plies_.size(); ++k)
+    plies_[k]->add(std::make_unique<StackedPly>(*ply_contact_, static_cast<int>(k)));
 }
 
 void World::make_tools(const WorldSetup& setup) {
@@ -36,10 +69,15 @@ void World::make_tools(const WorldSetup& setup) {
     sprung.push_back({.mass = ply->mass(),
                       .frequency = contact_frequency(scene_.analysis, ply->fabric_step()),
                       .fabric_frequency = 2.0 / ply->fabric_step()});
-  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, plies_.front()->mesh(), duration_, sprung);
+  double least_spacing = std::numeric_limits<double>::infinity();
+  for (const auto& ply : plies_)
+    least_spacing = std::min({least_spacing, ply->mesh().spacing[0], ply->mesh().spacing[1]});
+  tools_ = std::make_unique<RigidTools>(setup.tools, scene_, plies_.front()->mesh().symmetry, least_spacing, duration_,
+                                        sprung);
   for (std::size_t k = 0; k < plies_.size(); ++k) {
     Ply& ply = *plies_[k];
-    auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team);
+    auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team,
+                                             setup.plies[k].tools);
     contacts_.push_back(contact.get());
     loads_.push_back(&contact->loads());
     ply.add(std::move(contact));
@@ -48,7 +86,8 @@ void World::make_tools(const WorldSetup& setup) {
 
 void World::start() {
   if (const double size = scene_.analysis.perturbation; size > 0.0)
-    for (auto& ply : plies_) ply->perturb(size, static_cast<std::uint64_t>(scene_.analysis.perturbation_seed));
+    for (std::size_t k = 0; k < plies_.size(); ++k)  // each ply its own
+      plies_[k]->perturb(size, static_cast<std::uint64_t>(scene_.analysis.perturbation_seed) + k);
   renew_step();
   compute_forces();
   if (passes_reach()) renew_step();
@@ -57,6 +96,7 @@ void World::start() {
 }
 
 void World::renew_step() {
+  if (ply_contact_) ply_contact_->renew_bound();
   stable_ = {.step = std::numeric_limits<double>::infinity(), .set_by = ""};
   for (auto& ply : plies_)
     if (StableStep own = ply->renew_stable_step(); own.step < stable_.step) stable_ = std::move(own);
@@ -78,14 +118,16 @@ void World::renew_step() {
 }
 
 bool World::passes_reach() {
-  bool passes = false;
+  bool passes = ply_contact_ && ply_contact_->passes_bound();
   for (auto& ply : plies_) passes = ply->passes_reach() || passes;  // each notes its strains
   return passes;
 }
 
 void World::compute_forces() {
   if (tools_) tools_->advance(time());
-  for (auto& ply : plies_) ply->compute_forces(step_);
+  for (auto& ply : plies_) ply->compute_own_forces(step_);
+  if (ply_contact_) ply_contact_->add_forces();
+  for (auto& ply : plies_) ply->give_on_forces();
   if (!tools_) return;
   tools_->gather(loads_);
 }
@@ -110,6 +152,7 @@ void World::advance(bool last) {
 void World::close_balance() {
   EnergyFlow sum;
   for (const auto& ply : plies_) sum.add(ply->energy_flow());
+  if (ply_contact_) sum.add(ply_contact_->energy_flow());
   if (tools_) sum.add(tools_->energy_flow());
   balance_.kinetic = parts_ * sum.kinetic;
   balance_.damping = parts_ * sum.lost;
@@ -124,6 +167,7 @@ void World::look_at_stored_energy() {
     sum.bending += energy.bending;
     sum.hourglass += energy.hourglass;
   }
+  if (ply_contact_) sum.total += ply_contact_->stored_energy().total;
   if (tools_) sum.total += tools_->stored_energy().total;
   balance_.internal = parts_ * sum.total;
   balance_.bending = parts_ * sum.bending;
@@ -139,6 +183,7 @@ void World::archive(Archive& archive) {
   for (double* energy : {&balance_.internal, &balance_.kinetic, &balance_.damping, &balance_.external,
                          &balance_.bending, &balance_.hourglass, &balance_.start, &balance_.greatest})
     archive.number("an energy", *energy);
+  if (ply_contact_) ply_contact_->archive(archive);
   if (tools_) tools_->archive(archive);
   for (auto& ply : plies_) {
     ply->archive(archive);

@@ -2,6 +2,7 @@
 // step (stable step, forces, motion, energies) and nothing of files, histories or verdicts, which are the observers'.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "solver/analysis/balance.hpp"
 #include "solver/analysis/loading.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/contact/ply_contact.hpp"
 #include "solver/contact/rigid_tools.hpp"
 #include "solver/ply/ply.hpp"
 
@@ -22,7 +24,8 @@ struct PlyInput {
   const Mesh& whole;
   const SymmetricPart* part = nullptr;
   const Card& card;
-  const Scene& scene;  // its model, grips and frame
+  const Scene& scene;                        // its model, grips and frame
+  const std::vector<Tool>* tools = nullptr;  // at this ply's own distance from them; none: the world's
 };
 
 // `scene` says analysis, tools and output; `tools` are those of the scene in its order, made (mesher/tools/tool.hpp).
@@ -32,13 +35,16 @@ struct WorldSetup {
   std::vector<Tool> tools;
   const Scene& scene;
   Loading loading;
+  // Of each pair of plies, which then touch (ply_contact.hpp); none: they do not know of each other.
+  std::function<PairLaw(int lower, int upper)> pair_law = nullptr;
+  std::vector<std::string> ply_names = {};                        // for messages
   double longest_step = std::numeric_limits<double>::infinity();  // s; none is taken that is longer
   Team& team;
 };
 
 class World {
 public:
-  // Throws InputError when a ply cannot be made, starts inside a tool, or a pushed tool is too light.
+  // Throws InputError when a ply cannot be made, starts inside a tool or another ply, or a pushed tool is too light.
   explicit World(const WorldSetup& setup);
 
   [[nodiscard]] std::size_t size() const { return plies_.size(); }
@@ -47,6 +53,8 @@ public:
   // Null without tools.
   [[nodiscard]] const RigidTools* tools() const { return tools_.get(); }
   [[nodiscard]] const Contact* contact(std::size_t ply) const { return tools_ ? contacts_[ply] : nullptr; }
+  // Null where plies do not know of each other.
+  [[nodiscard]] const PlyContact* ply_contact() const { return ply_contact_.get(); }
   [[nodiscard]] int parts() const { return parts_; }  // the whole is this many times what is solved
 
   [[nodiscard]] double time() const { return plies_.front()->state().time; }         // s
@@ -62,7 +70,8 @@ public:
   [[nodiscard]] double step() const { return step_; }                    // s; the next
   [[nodiscard]] double smallest_step() const { return smallest_step_; }  // s; so far
   [[nodiscard]] const std::string& step_set_by() const { return step_set_by_; }
-  // Whether yarns come to strains beyond what the step allows: it must be renewed at once.
+  // Whether yarns come to strains beyond what the step allows, or plies to press each other that had not: it must be
+  // renewed at once.
   [[nodiscard]] bool passes_reach();
 
   // One step with the forces at hand; energies and grip forces are then known for its beginning. With `last` the clock
@@ -83,9 +92,11 @@ public:
 
 private:
   void make_tools(const WorldSetup& setup);
+  void make_ply_contact(const WorldSetup& setup);
   void close_balance();
 
   std::vector<std::unique_ptr<Ply>> plies_;
+  std::unique_ptr<PlyContact> ply_contact_;
   std::unique_ptr<RigidTools> tools_;
   std::vector<Contact*> contacts_;                   // of each ply, which owns it
   std::vector<const std::vector<ToolLoad>*> loads_;  // theirs

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "solver/contact/node_area.hpp"
 
 namespace weaveform {
 namespace {
@@ -19,33 +20,6 @@ double stiffness_factor(const AnalysisSpec& analysis) {
                                                                                        : 1.0);
 }
 
-// A cell's area goes to its nodes in equal parts.
-Doubles node_areas(const Mesh& mesh, const PackedMesh& packed) {
-  Doubles area(packed.nodes, 0.0);
-  for (int c = 0; c < mesh.cells.size(); ++c) {
-    const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
-    for (int a = begin; a < end; ++a)
-      area[packed.packed_of_mesh[mesh.cells.node[a]]] += mesh.cells.area[c] / (end - begin);
-  }
-  const auto take_images = [&] {  // beyond a mirror plane
-    for (const auto& image : mesh.symmetry.image) {
-      double& there = area[packed.packed_of_mesh[image.node]];
-      area[packed.packed_of_mesh[image.of]] += there;
-      there = 0.0;
-    }
-  };
-  take_images();
-  for (const auto& tie : mesh.tie) {  // a node that follows others touches through them, as it has its mass in them
-    double& there = area[packed.packed_of_mesh[tie.node]];
-    const double share = std::max(tie.share, 0.0);
-    area[packed.packed_of_mesh[tie.to[0]]] += (1.0 - share) * there;
-    area[packed.packed_of_mesh[tie.to[1]]] += share * there;
-    there = 0.0;
-  }
-  take_images();
-  return area;
-}
-
 }  // namespace
 
 double contact_frequency(const AnalysisSpec& analysis, double fabric_step) {
@@ -53,7 +27,7 @@ double contact_frequency(const AnalysisSpec& analysis, double fabric_step) {
 }
 
 Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start, const SprungPly& ply,
-                 RigidTools& tools, Team& team)
+                 RigidTools& tools, Team& team, const std::vector<Tool>* own)
     : packed_(packed),
       team_(team),
       tools_(tools),
@@ -67,14 +41,17 @@ Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start,
     mass_[p] = packed.mass[p];
     mesh_of_packed_[p] = mesh.shown_node(n);
   }
-  for (const auto& tool : tools.tools()) touch_.push_back(make_touch(tool.tool, start));
+  for (std::size_t t = 0; t < tools.tools().size(); ++t) {
+    const Tool& tool = tools.tools()[t].tool;
+    touch_.push_back(make_touch(tool, own != nullptr ? (*own)[t].offset : tool.offset, start));
+  }
   loads_.resize(touch_.size());
   refuse_penetration(start);
 }
 
-Contact::Touch Contact::make_touch(const Tool& tool, const State& start) const {
+Contact::Touch Contact::make_touch(const Tool& tool, double offset, const State& start) const {
   Touch touch;
-  touch.law = {.offset = tool.offset,
+  touch.law = {.offset = offset,
                .softening = contact_softening * thickness_,
                .frequency2 = frequency_ * frequency_,
                .damping_rate = 2.0 * contact_damping * frequency_,
@@ -104,8 +81,9 @@ int Contact::block_count() const {
 
 void Contact::refuse_penetration(const State& start) const {
   std::vector<std::string> complaints;
-  for (const auto& moving : tools_.tools()) {
-    const Tool& tool = moving.tool;
+  for (std::size_t t = 0; t < touch_.size(); ++t) {
+    const Tool& tool = tools_.tools()[t].tool;
+    const double offset = touch_[t].law.offset;
     double deepest = start_tolerance;
     int node = -1;
     for (int n = 0; n < packed_.nodes; ++n) {
@@ -114,7 +92,7 @@ void Contact::refuse_penetration(const State& start) const {
       int hint = 0;
       tool_distances(tool, tool.start, {&start.position[0][n], &start.position[1][n], &start.position[2][n]}, 1, &hint,
                      found);
-      const double depth = tool.offset - found.distance[0];
+      const double depth = offset - found.distance[0];
       if (depth > deepest) {
         deepest = depth;
         node = n;
@@ -125,7 +103,7 @@ void Contact::refuse_penetration(const State& start) const {
           "[tools.{}]: node {} at ({:.6g}, {:.6g}, {:.6g}) mm starts {:.4g} mm inside it (fabric's half thickness "
           "{:.4g} mm included); move the tool's position or the blank's",
           tool.name, mesh_of_packed_[node], start.position[0][node], start.position[1][node], start.position[2][node],
-          deepest, tool.offset));
+          deepest, offset));
   }
   if (!complaints.empty()) throw InputError(complaints);
 }
@@ -168,7 +146,7 @@ void Contact::triangle_distances(Touch& touch, const MovingTool& tool, const Con
                         nodes.x[2][n] - touch.measured_at[2][node]};
     const double bound =
         touch.far[node] - tool.way - std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
-    if (bound > tool.tool.offset + rounding) {
+    if (bound > touch.law.offset + rounding) {
       distances.distance[n] = bound;
       for (int c = 0; c < 3; ++c) distances.normal[c][n] = c == 2 ? 1.0 : 0.0;
       continue;
@@ -208,7 +186,7 @@ void Contact::treat_block(int block, State& state, double step) {
                      distances);
     else
       triangle_distances(touch, moving, nodes, block * points_at_a_time, distances);
-    const double gap = least_gap(distances, moving.tool.offset, nodes);
+    const double gap = least_gap(distances, touch.law.offset, nodes);
     if (was_clear) reset_anchors(tool, nodes);
     clearance = std::max(gap, 0.0);
     if (gap > 0.0) continue;
@@ -245,7 +223,7 @@ void Contact::check(std::size_t number, const State& state) const {
     int hint = 0;
     tool_distances(moving.tool, moving.place(), {&state.position[0][n], &state.position[1][n], &state.position[2][n]},
                    1, &hint, found);
-    if (mass_[n] == 0.0 || moving.tool.offset - found.distance[0] < deepest) continue;
+    if (mass_[n] == 0.0 || touch_[number].law.offset - found.distance[0] < deepest) continue;
     throw PhysicsError(fmt::format(
         "at t = {:.4g} s, step {}: node {} at ({:.6g}, {:.6g}, {:.6g}) mm has gone {:.4g} mm into tool '{}', more than "
         "the fabric's thickness ({:.4g} mm); load more slowly, see whether the tools can close, or, where friction or "

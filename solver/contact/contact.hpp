@@ -38,9 +38,10 @@ inline constexpr double contact_stiffness_reached = 0.5;
 
 class Contact : public Actor {
 public:
-  // `ply` says how it hangs on its springs. Throws InputError when the fabric starts inside a tool.
+  // `ply` says how it hangs on its springs, `own` the tools with this ply's distance from them where it is not theirs.
+  // Throws InputError when the fabric starts inside a tool.
   Contact(const Mesh& mesh, const PackedMesh& packed, const State& start, const SprungPly& ply, RigidTools& tools,
-          Team& team);
+          Team& team, const std::vector<Tool>* own = nullptr);
 
   [[nodiscard]] std::string name() const override { return "contact"; }
   // The tools stand at state.time. Throws PhysicsError when a node has gone through a tool's surface by more than the
@@ -70,7 +71,7 @@ private:
     Components measured_at;         // mm; per node, of triangles: where its distance was last measured,
     Doubles far;                    // mm; that distance plus the tool's way so far then (-inf: never)
   };
-  [[nodiscard]] Touch make_touch(const Tool& tool, const State& start) const;
+  [[nodiscard]] Touch make_touch(const Tool& tool, double offset, const State& start) const;
   void refuse_penetration(const State& start) const;
   void treat_block(int block, State& state, double step);
   static void triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,

@@ -60,7 +60,7 @@ ContactState Contact::contact_state(const State& state) const {
       int hint = touch.hint.empty() ? 0 : touch.hint[n];
       Distances found;
       tool_distances(moving.tool, moving.place(), {node.x[0], node.x[1], node.x[2]}, 1, &hint, found);
-      const double here = found.distance[0] - moving.tool.offset;
+      const double here = found.distance[0] - touch.law.offset;
       gap = std::min(gap, here);
       if (here >= 0.0 || mass_[n] <= 0.0) continue;
       const NodeContact contact = node_contact(touch.law, moving.contact_tool(), found, node);

@@ -59,12 +59,9 @@ ContactTool MovingTool::contact_tool() const {
   return {place().origin, {v * tool.direction[0], v * tool.direction[1], v * tool.direction[2]}};
 }
 
-RigidTools::RigidTools(std::vector<Tool> tools, const Scene& scene, const Mesh& mesh, double duration,
-                       const std::vector<SprungPly>& plies)
-    : plies_(plies),
-      planes_(mesh.symmetry.plane),
-      parts_(mesh.symmetry.parts()),
-      least_spacing_(std::min(mesh.spacing[0], mesh.spacing[1])) {
+RigidTools::RigidTools(std::vector<Tool> tools, const Scene& scene, const MeshSymmetry& symmetry, double least_spacing,
+                       double duration, const std::vector<SprungPly>& plies)
+    : plies_(plies), planes_(symmetry.plane), parts_(symmetry.parts()), least_spacing_(least_spacing) {
   const double blank_mass = total_mass(plies), least_mass = least_tool_mass(plies);
   for (std::size_t t = 0; t < tools.size(); ++t) {
     ToolSpec spec = scene.tools[t];

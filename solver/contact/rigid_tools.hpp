@@ -61,10 +61,10 @@ struct MovingTool {
 
 class RigidTools {
 public:
-  // `tools` in the scene's order; `mesh` of a ply (its symmetry, and the cell that no tool may pass in one step);
-  // `duration` of the travel (s). Throws InputError when a pushed tool is too light for the step.
-  RigidTools(std::vector<Tool> tools, const Scene& scene, const Mesh& mesh, double duration,
-             const std::vector<SprungPly>& plies);
+  // `tools` in the scene's order; `symmetry` of the plies; `least_spacing` (mm) of their cells, that no tool may pass in
+  // one step; `duration` of the travel (s). Throws InputError when a pushed tool is too light for the step.
+  RigidTools(std::vector<Tool> tools, const Scene& scene, const MeshSymmetry& symmetry, double least_spacing,
+             double duration, const std::vector<SprungPly>& plies);
 
   // Moves them to `time`; the first call only notes it. Throws PhysicsError when a tool moves more than a cell.
   void advance(double time);

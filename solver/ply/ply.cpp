@@ -107,9 +107,12 @@ void Ply::set_step(double viscous_time, double step) {
   forces_.set_look_ahead(steps_ahead * step);
 }
 
-void Ply::compute_forces(double step) {
+void Ply::compute_own_forces(double step) {
   forces_.compute(state_);
   for (const auto& actor : actors_) actor->add_forces(state_, step);
+}
+
+void Ply::give_on_forces() {
   if (mirrors_) mirrors_->give_forces(state_);
   if (ties_) ties_->give_forces(state_);
   if (!mirrors_) return;

@@ -77,8 +77,14 @@ public:
   // Whether yarns have come, or come within the next steps, to strains beyond what the step allows, or cells to a shear.
   [[nodiscard]] bool passes_reach() { return reach_.passed_by(forces_.strains(), forces_.sharpest()); }
 
-  // Forces of everything that acts, given on by what follows others, at state().position and time.
-  void compute_forces(double step);
+  // Forces of everything that acts, given on by what follows others, at state().position and time: its own, and then
+  // what else the caller adds in between.
+  void compute_own_forces(double step);
+  void give_on_forces();
+  void compute_forces(double step) {
+    compute_own_forces(step);
+    give_on_forces();
+  }
   // One leapfrog step, grips included (motion.hpp); holds() know their displacements. The last one only tells the
   // velocities and reactions at its beginning: positions stay.
   void advance(double step_before, double step, bool last);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/vector/append.hpp"
 #include "core/vector/eigen_vector.hpp"
+#include "mesher/mesh/stack.hpp"
 #include "solver/state/packed.hpp"
 
 namespace weaveform {
@@ -155,6 +157,42 @@ void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model
 }
 
 }  // namespace
+
+void append(Fields& all, const Fields& more) {
+  append(all.position, more.position);
+  append(all.displacement, more.displacement);
+  append(all.shear_angle, more.shear_angle);
+  append(all.warp, more.warp);
+  append(all.weft, more.weft);
+  append(all.thickness, more.thickness);
+  append(all.areal_weight, more.areal_weight);
+  append(all.folded, more.folded);
+  append(all.yarn_strain, more.yarn_strain);
+  append(all.yarn_force, more.yarn_force);
+  if (more.contact) append(all.contact ? *all.contact : all.contact.emplace(), *more.contact);
+  if (more.between) append(all.between ? *all.between : all.between.emplace(), *more.between);
+}
+
+Fields fields_of_ply(const Fields& all, const Mesh& stack, std::size_t ply) {
+  if (stack.ply.empty()) return all;
+  const Range nodes = nodes_of_ply(stack, ply), yarns = yarns_of_ply(stack, ply), cells = cells_of_ply(stack, ply);
+  const auto take = [](const auto& from, const Range& range, auto& to) {
+    if (!from.empty()) to.assign(from.begin() + range.first, from.begin() + range.last);
+  };
+  Fields own;
+  own.time = all.time;
+  take(all.position, nodes, own.position);
+  take(all.displacement, nodes, own.displacement);
+  take(all.shear_angle, cells, own.shear_angle);
+  take(all.warp, cells, own.warp);
+  take(all.weft, cells, own.weft);
+  take(all.thickness, cells, own.thickness);
+  take(all.areal_weight, cells, own.areal_weight);
+  take(all.folded, cells, own.folded);
+  take(all.yarn_strain, yarns, own.yarn_strain);
+  take(all.yarn_force, yarns, own.yarn_force);
+  return own;
+}
 
 BlankPlane blank_plane(const Mesh& mesh) {
   if (mesh.nodes.position.empty()) return {};

@@ -11,6 +11,7 @@
 #include "mesher/scene/scene.hpp"
 #include "solver/element/yarn_law.hpp"
 #include "solver/state/contact_state.hpp"
+#include "solver/state/ply_contact_state.hpp"
 
 namespace weaveform {
 
@@ -28,7 +29,13 @@ struct Fields {
   std::vector<double> yarn_strain;   // 1; true strain per yarn element
   std::vector<double> yarn_force;    // N; axial, tension positive
   std::optional<ContactState> contact;  // per node; when the scene has tools. Not from positions alone: the solver's
+  std::optional<PlyContactState> between = {};  // per node; of a stack. Likewise
 };
+
+// The fields of the next ply of a stack, of the same time, behind those of the plies before.
+void append(Fields& all, const Fields& more);
+// The entries of one ply.
+[[nodiscard]] Fields fields_of_ply(const Fields& all, const Mesh& stack, std::size_t ply);
 
 [[nodiscard]] Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model, double time,
                                     const std::vector<Vec3>& position);

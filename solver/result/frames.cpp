@@ -27,6 +27,7 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/vector/angle.hpp"
+#include "mesher/mesh/stack.hpp"
 #include "mesher/mesh/vtk_file.hpp"
 #include "solver/result/beside.hpp"
 #include "solver/result/file_names.hpp"
@@ -97,6 +98,8 @@ struct FrameWriter::Grid {
   vtkSignedCharArray *contact_tool = nullptr, *contact_count = nullptr, *friction = nullptr;  // null without tools
   vtkDoubleArray *contact_force = nullptr, *contact_gap = nullptr;
   vtkDoubleArray *contact_pressure = nullptr, *contact_share = nullptr;
+  vtkDoubleArray *slip = nullptr, *slip_path = nullptr, *ply_pressure = nullptr;  // null of a single ply
+  vtkSignedCharArray *other_ply = nullptr, *ply_friction = nullptr;
   CellsBeside beside;
 
   Grid(const Mesh& mesh, const std::vector<std::string>& tools) : beside(cells_beside_yarns(mesh)) {
@@ -123,6 +126,7 @@ struct FrameWriter::Grid {
     displacement = add_array<vtkDoubleArray>(*grid->GetPointData(), "displacement_mm", 3, mesh.node_count());
     time = add_array<vtkDoubleArray>(*grid->GetFieldData(), "TimeValue", 1, 1);
     if (!tools.empty()) add_contact(mesh, tools);
+    if (!mesh.ply.empty()) add_plies(mesh);
     grid->GetCellData()->SetActiveScalars("shear_angle_deg");
   }
 
@@ -139,6 +143,23 @@ struct FrameWriter::Grid {
     for (std::size_t k = 0; k < tools.size(); ++k)  // names as arrays, for meshio reads no texts
       add_array<vtkIntArray>(*grid->GetFieldData(), ("tool_" + tools[k]).c_str(), 1, 1)
           ->SetValue(0, static_cast<int>(k) + 1);
+  }
+
+  void add_plies(const Mesh& mesh) {
+    vtkFieldData &points = *grid->GetPointData(), &elements = *grid->GetCellData();
+    const vtkIdType nodes = mesh.node_count(), count = mesh.yarn_count() + mesh.cells.size();
+    const std::vector<int> of_nodes = ply_of_nodes(mesh), of_yarns = ply_of_yarns(mesh), of_cells = ply_of_cells(mesh);
+    int* next = add_array<vtkIntArray>(elements, "ply", 1, count)->GetPointer(0);
+    std::copy(of_cells.begin(), of_cells.end(), std::copy(of_yarns.begin(), of_yarns.end(), next));
+    std::copy(of_nodes.begin(), of_nodes.end(), add_array<vtkIntArray>(points, "ply", 1, nodes)->GetPointer(0));
+    slip = add_array<vtkDoubleArray>(points, "slip_mm", 3, nodes);
+    slip_path = add_array<vtkDoubleArray>(points, "slip_path_mm", 1, nodes);
+    ply_pressure = add_array<vtkDoubleArray>(points, "ply_pressure_MPa", 1, nodes);
+    other_ply = add_array<vtkSignedCharArray>(points, "other_ply", 1, nodes);
+    ply_friction = add_array<vtkSignedCharArray>(points, "ply_friction_state", 1, nodes);
+    for (std::size_t k = 0; k < mesh.ply.size(); ++k)
+      add_array<vtkIntArray>(*grid->GetFieldData(), ("ply_" + mesh.ply[k].name).c_str(), 1, 1)
+          ->SetValue(0, static_cast<int>(k));
   }
 
   // Values on yarns and on cells stand one behind the other, as the lines and polygons do.
@@ -205,6 +226,18 @@ struct FrameWriter::Grid {
       array->Modified();
   }
 
+  void fill_plies(const Mesh& mesh, const PlyContactState& between) {
+    fill(*slip, between.slip);
+    for (int node = 0; node < mesh.node_count(); ++node) {
+      slip_path->SetValue(node, between.slip_path[node]);
+      ply_pressure->SetValue(node, between.pressure[node]);
+      other_ply->SetValue(node, static_cast<signed char>(between.other[node]));
+      ply_friction->SetValue(node, static_cast<signed char>(between.friction[node]));
+    }
+    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{slip_path, ply_pressure, other_ply, ply_friction})
+      array->Modified();
+  }
+
   void fill(const Mesh& mesh, const Fields& fields) {
     time->SetValue(0, fields.time);
     time->Modified();
@@ -220,11 +253,14 @@ struct FrameWriter::Grid {
     fill(*thickness, mean_on_yarns(beside, fields.thickness), fields.thickness, 1.0);
     fill(*areal_weight, mean_on_yarns(beside, fields.areal_weight), fields.areal_weight, 1.0);
     if (contact_tool != nullptr) fill_contact(mesh, fields.contact.value());
+    if (slip != nullptr && fields.between) fill_plies(mesh, *fields.between);
     fill_directions(mesh, fields);
     for (int cell = 0; cell < cells; ++cell) folded->SetValue(mesh.yarn_count() + cell, fields.folded[cell] ? 1 : 0);
     folded->Modified();
     // forgets what the writer noted on it, so that every frame has the same layout, the first of a run or not
     grid->GetCellData()->GetArray("family")->Modified();
+    for (vtkFieldData* data : std::initializer_list<vtkFieldData*>{grid->GetCellData(), grid->GetPointData()})
+      if (vtkAbstractArray* array = data->GetAbstractArray("ply")) array->Modified();
     grid->GetPoints()->Modified();
     grid->Modified();
   }

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/vector/append.hpp"
+#include "mesher/mesh/stack.hpp"
 
 namespace weaveform {
 namespace {
@@ -66,6 +68,25 @@ std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh, double widt
     if (probe.cell.empty()) take_nearest(centre, box, mesh, probe);
     probes.push_back(std::move(probe));
   }
+  return probes;
+}
+
+std::vector<Probe> make_probes(const Resolved& model) {
+  if (model.ply.empty()) return make_probes(model.scene, model.mesh, model.extent()[0]);
+  std::vector<Probe> probes;
+  for (const auto& measure : model.scene.measure) probes.push_back({.name = measure.name, .cell = {}, .weight = {}});
+  for (std::size_t k = 0; k < model.ply.size(); ++k) {
+    const Resolved& ply = model.ply[k];
+    const int first = cells_of_ply(model.mesh, k).first;
+    for (const Probe& own : make_probes(ply.scene, ply.mesh, ply.extent()[0])) {
+      Probe& probe = *std::find_if(probes.begin(), probes.end(), [&](const Probe& p) { return p.name == own.name; });
+      for (const int cell : own.cell) probe.cell.push_back(first + cell);
+      append(probe.weight, own.weight);
+    }
+  }
+  for (const Probe& probe : probes)
+    if (probe.cell.empty())
+      throw InputError(fmt::format("measure '{}': its box lies off every ply; move it", probe.name));
   return probes;
 }
 

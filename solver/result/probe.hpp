@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/mesh/mesh.hpp"
+#include "mesher/resolve/resolved.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/result/fields.hpp"
 
@@ -23,6 +24,8 @@ struct ShearStatistics {
 // Cells whose centre lies in the measure's box in the initial configuration (blank frame). Throws InputError when there
 // are none. `width` (mm) of the blank along its own x, which relative boxes are in units of.
 [[nodiscard]] std::vector<Probe> make_probes(const Scene& scene, const Mesh& mesh, double width);
+// Of all plies; a measure of a stack looks at the ply it names, or at all with cells there.
+[[nodiscard]] std::vector<Probe> make_probes(const Resolved& model);
 [[nodiscard]] ShearStatistics shear_statistics(const Probe& probe, const Fields& fields);
 
 // Blank-frame coordinates (mm, centre = origin) of a world point on the flat blank.

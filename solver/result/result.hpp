@@ -27,6 +27,21 @@ struct History {
   [[nodiscard]] std::vector<double> values(const std::string& name) const;  // throws InputError when absent
 };
 
+// What two plies of a stack did to each other: all neighbours, and whoever else came to touch.
+struct PairStatistics {
+  std::string lower, upper;         // names
+  double contact_area_mm2 = 0.0;    // at the end, like all that is no greatest
+  double force_N = 0.0;             // normal
+  double friction_force_N = 0.0;    // sum of the sizes of what resists slip
+  double max_penetration_mm = 0.0;  // so far
+  double max_slip_mm = 0.0;         // longest slip path
+  double mean_slip_mm = 0.0;        // over the area that ever touched
+  double max_pressure_MPa = 0.0;    // so far
+  double stored_energy_mJ = 0.0;
+  double friction_work_mJ = 0.0;  // lost
+  double damping_work_mJ = 0.0;   // lost
+};
+
 struct SolveStatistics {
   bool finished = true;  // false in the solve.json of a run under way, which is renewed with every frame
   double time_s = 0.0;   // that the numbers below are of: duration_s when finished
@@ -66,6 +81,7 @@ struct SolveStatistics {
   double contact_damping_work_mJ = 0.0;   // part of damping_work_mJ; contact dampers and guides of pushed tools
   double contact_wall_s = 0.0;            // part of wall_s
   int threads = 1;
+  std::vector<PairStatistics> pairs = {};  // of a stack
 };
 
 // Writes frames as they come; result.pvd is renewed after each, so an interrupted run leaves a readable index.
@@ -83,6 +99,10 @@ struct SolveStatistics {
 //   contact_pressure_MPa, contact_share   cells: mean pressure of its nodes, share of them that touch a tool;
 //                                         lines: the same of their two nodes
 //   tool_NAME    field data, one per tool: its number in contact_tool
+// Of a stack also:
+//   ply          points, cells and lines: the number of the ply, 0 the lowest; field data ply_NAME: each ply's number
+//   slip_mm (vector), slip_path_mm, ply_pressure_MPa, other_ply, ply_friction_state
+//                points: against the ply they touch, other_ply, -1 where none (solver/state/ply_contact_state.hpp)
 class FrameWriter {
 public:
   // Keeps a reference to the mesh. Frames of an earlier run in `directory` are removed, but for the first, of the times

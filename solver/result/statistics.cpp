@@ -48,6 +48,11 @@ constexpr std::array<std::string_view, 8> added_later = {
 void write_statistics(const SolveStatistics& statistics, const std::filesystem::path& file) {
   nlohmann::ordered_json json;
   for_each_statistic(statistics, [&](const char* name, const auto& value) { json[name] = value; });
+  for (const PairStatistics& pair : statistics.pairs) {
+    nlohmann::ordered_json entry;
+    for_each_pair_statistic(pair, [&](const char* name, const auto& value) { entry[name] = value; });
+    json["pairs"].push_back(std::move(entry));
+  }
   write_text_whole(file, json.dump(2) + "\n");
 }
 
@@ -64,6 +69,12 @@ SolveStatistics read_statistics(const std::filesystem::path& file) {
       if (may_lack && !json.contains(name)) return;
       take(json.at(name), value);
     });
+    if (json.contains("pairs"))
+      for (const nlohmann::json& entry : json.at("pairs"))
+        for_each_pair_statistic(statistics.pairs.emplace_back(), [&](const char* name, auto& value) {
+          current = name;
+          take(entry.at(name), value);
+        });
   } catch (const nlohmann::json::parse_error& error) {
     throw InputError(fmt::format("{}: not JSON (byte {}); solve again", file.string(), error.byte));
   } catch (const std::exception&) {

@@ -50,4 +50,21 @@ void for_each_statistic(Statistics& s, Visit visit) {
   visit("threads", s.threads);
 }
 
+// The same for the pairs of plies, which are a list of their own, "pairs".
+template <class Pair, class Visit>
+void for_each_pair_statistic(Pair& s, Visit visit) {
+  visit("lower", s.lower);
+  visit("upper", s.upper);
+  visit("contact_area_mm2", s.contact_area_mm2);
+  visit("force_N", s.force_N);
+  visit("friction_force_N", s.friction_force_N);
+  visit("max_penetration_mm", s.max_penetration_mm);
+  visit("max_slip_mm", s.max_slip_mm);
+  visit("mean_slip_mm", s.mean_slip_mm);
+  visit("max_pressure_MPa", s.max_pressure_MPa);
+  visit("stored_energy_mJ", s.stored_energy_mJ);
+  visit("friction_work_mJ", s.friction_work_mJ);
+  visit("damping_work_mJ", s.damping_work_mJ);
+}
+
 }  // namespace weaveform

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "core/vector/append.hpp"
+
 namespace weaveform {
 
 ContactState unfolded(const ContactState& part, const std::vector<int>& source, const std::vector<double>& factor) {
@@ -16,6 +18,15 @@ ContactState unfolded(const ContactState& part, const std::vector<int>& source, 
     whole.friction.push_back(part.friction[from]);
   }
   return whole;
+}
+
+void append(ContactState& all, const ContactState& more) {
+  append(all.tool, more.tool);
+  append(all.count, more.count);
+  append(all.force, more.force);
+  append(all.pressure, more.pressure);
+  append(all.gap, more.gap);
+  append(all.friction, more.friction);
 }
 
 }  // namespace weaveform

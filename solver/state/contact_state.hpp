@@ -24,4 +24,7 @@ struct ContactState {
 [[nodiscard]] ContactState unfolded(const ContactState& part, const std::vector<int>& source,
                                     const std::vector<double>& factor);
 
+// `more` behind `all`: of the next ply of a stack.
+void append(ContactState& all, const ContactState& more);
+
 }  // namespace weaveform

@@ -113,6 +113,10 @@ protected:
     EXPECT_EQ(exported.exit_code, 0) << exported.err;
     write_text("*INCLUDE, INPUT=strip.inp\n" + material + "*INCLUDE, INPUT=fibres.inp\n" + Strip{type}.load(),
                file("job.inp"));
+    return solved_stretch();
+  }
+  // mm; of job.inp.
+  [[nodiscard]] double solved_stretch() const {
     const auto solved = run("ccx job");
     EXPECT_NE(solved.out.find("Job finished"), std::string::npos) << solved.out;
     EXPECT_EQ(solved.out.find("*WARNING"), std::string::npos) << solved.out;
@@ -155,6 +159,43 @@ TEST_F(CalculixFibres, WarpAndWeftDifferAsTheClosedFormSays) {
     found[angle] = u;
   }
   EXPECT_NEAR(found[90.0] / found[0.0], e1 / e2, 1e-3 * e1 / e2);
+}
+
+// In-plane stiffness of a layer turned by 90 deg or not at all: Q11 = E1/(1 - nu12 nu21), Q12 = nu12 Q22, Q22 likewise
+// (Jones, eq. 2.66); of layers 0, 90, 0 of one thickness A = t (2 Q + Q turned), B = 0 for they are symmetric, and a strip
+// free at its sides stretches by A22 / (A11 A22 - A12^2) times its force per width.
+double cross_ply(double thickness) {
+  const double poisson_21 = poisson * e2 / e1, part = 1.0 - poisson * poisson_21;
+  const double a11 = thickness * (2.0 * e1 + e2) / part, a22 = thickness * (e1 + 2.0 * e2) / part,
+               a12 = 3.0 * thickness * poisson * e2 / part;
+  return force / width * length * a22 / (a11 * a22 - a12 * a12);
+}
+
+// Three plies, 0, 90 and 0, are three layers of each shell. CalculiX layers S8R.
+TEST_F(CalculixFibres, PliesOfAStackAreLayersOfALaminate) {
+  write_text(Strip{"S8R"}.mesh(), file("strip.inp"));
+  write_text(tiny_scene() +
+                 "[[ply]]\nname = \"lower\"\nyarn_angle = 0\n[[ply]]\nname = \"middle\"\nyarn_angle = 90\n[[ply]]\n"
+                 "name = \"upper\"\nyarn_angle = 0\n",
+             file("stack.toml"));
+  const auto made =
+      run("weaveform run stack.toml --quiet --set grip.top.travel=0.001 --set blank.size=[120,240] --set "
+          "blank.fit=none --set "
+          "output.frames=1 --output stack");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto exported =
+      run("weaveform export stack --onto strip.inp --format orientation-calculix --output layers.inp --force");
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  const std::string layers = read_text(file("layers.inp"));
+  EXPECT_LT(layers.find("WARP_1_LOWER\n"), layers.find("WARP_1_MIDDLE\n")) << "the shells' normals point up";
+  EXPECT_LT(layers.find("WARP_1_MIDDLE\n"), layers.find("WARP_1_UPPER\n"));
+  std::string named = material;
+  named.replace(named.find("FABRIC"), 6, "TWINTEX_PW");
+  write_text("*INCLUDE, INPUT=strip.inp\n" + named + "*INCLUDE, INPUT=layers.inp\n" + Strip{"S8R"}.load(),
+             file("job.inp"));
+  const double u = solved_stretch();
+  const double exact = cross_ply(0.5);
+  EXPECT_NEAR(u, exact, 5e-4 * exact);
 }
 
 }  // namespace

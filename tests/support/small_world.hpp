@@ -2,8 +2,10 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesher/lattice/build.hpp"
@@ -12,12 +14,15 @@
 
 namespace weaveform::test {
 
-// One ply for each scene, all in the world of the first: its analysis, output and tools.
+// One ply for each scene, all in the world of the first: its analysis, output and tools. With `pair_law` they touch each
+// other, from bottom to top.
 class SmallWorld {
 public:
   explicit SmallWorld(const std::vector<Scene>& scenes, double longest_step = std::numeric_limits<double>::infinity(),
-                      int threads = 1)
-      : scenes_(scenes.begin(), scenes.end()), team_(threads), world_(make_setup(longest_step)) {}
+                      int threads = 1, std::function<PairLaw(int, int)> pair_law = nullptr)
+      : scenes_(scenes.begin(), scenes.end()),
+        team_(threads),
+        world_(make_setup(longest_step, std::move(pair_law))) {}
 
   World* operator->() { return &world_; }
   World& operator*() { return world_; }
@@ -34,9 +39,14 @@ public:
   }
 
 private:
-  WorldSetup make_setup(double longest_step) {
-    WorldSetup setup{
-        .plies = {}, .tools = {}, .scene = scenes_.front(), .loading = {}, .longest_step = longest_step, .team = team_};
+  WorldSetup make_setup(double longest_step, std::function<PairLaw(int, int)> pair_law) {
+    WorldSetup setup{.plies = {},
+                     .tools = {},
+                     .scene = scenes_.front(),
+                     .loading = {},
+                     .pair_law = std::move(pair_law),
+                     .longest_step = longest_step,
+                     .team = team_};
     for (const auto& scene : scenes_) {
       cards_.push_back(load_card(scene.fabric.material));
       meshes_.push_back(build_mesh(scene, cards_.back()));

@@ -179,7 +179,7 @@ public:
       const fs::path& output)
       : settings_(settings),
         output_(output),
-        simulation_(result, settings.stages.grip),
+        simulation_(result, settings.stages.grip, settings.instrument.ply),
         match_(simulation_, settings.stages),
         files_(measurement_files(measurement)),
         yarns_(yarn_directions(simulation_.scene().blank)) {

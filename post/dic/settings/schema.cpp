@@ -93,6 +93,10 @@ const std::vector<Key<InstrumentSpec>> instrument_keys = {
          .unit = "1",
          .limits = between(0.1, 1),
          .doc = "least part of a strain window's points, and of a facet's area, that must be there"}),
+    key<&InstrumentSpec::ply>(
+        {.name = "ply",
+         .identifier = true,
+         .doc = "of a simulated stack: name of the ply that the camera sees; left out: the highest"}),
 };
 
 const std::vector<Key<StagesSpec>> stages_keys = {

@@ -20,6 +20,7 @@ struct InstrumentSpec {
   std::optional<double> window;       // points across, odd; none: the header's, else 5
   std::optional<double> uncertainty;  // mm; standard deviation of a displacement; none: estimated
   double fill = 0.5;                  // 1; least part of a strain window's points that must be valid
+  std::string ply;                    // of a stack, that the camera sees; "": the highest
 };
 
 struct StagesSpec {

@@ -244,7 +244,7 @@ std::string settings_text(MeasurementFormat format, const Settings& settings, co
 VirtualMeasurement export_virtual(const fs::path& result, MeasurementFormat format, const Settings& settings,
                                   const fs::path& output) {
   const Camera camera = camera_of(settings);
-  const Simulation simulation(result, settings.stages.grip);
+  const Simulation simulation(result, settings.stages.grip, settings.instrument.ply);
   const VirtualSpec& spec = settings.virtual_dic;
   const std::size_t last = simulation.frame_count() - 1;
   const std::size_t count = spec.stages > 0 ? static_cast<std::size_t>(spec.stages) : last;

@@ -70,15 +70,32 @@ std::vector<double> made_monotonic(const std::vector<double>& y) {
   return result;
 }
 
-Simulation::Simulation(const fs::path& directory, const std::string& grip)
+Simulation::Seen Simulation::seen_of(ResultFolder& folder, const std::string& ply) {
+  const std::vector<PlySpec>& plies = folder.scene().ply;
+  std::vector<std::string> names;
+  for (const PlySpec& each : plies) names.push_back(each.name);
+  const auto found = std::find(names.begin(), names.end(), ply);
+  if (!ply.empty() && found == names.end())
+    throw InputError(fmt::format("{}: the simulation has no ply '{}' (ply of [instrument]){}",
+                                 folder.directory().string(), ply,
+                                 names.empty() ? "; it has one fabric, leave it out" : did_you_mean(ply, names)));
+  if (plies.empty()) return {folder.scene(), folder.card(), folder.mesh(), {0, folder.mesh().node_count()}};
+  const auto number = static_cast<std::size_t>(ply.empty() ? plies.size() - 1 : found - names.begin());
+  const Resolved& seen = folder.model().ply[number];
+  return {seen.scene, seen.card, seen.mesh, nodes_of_ply(folder.model().mesh, number)};
+}
+
+Simulation::Simulation(const fs::path& directory, const std::string& grip, const std::string& ply)
     : folder_(directory),
-      scene_(folder_.scene()),
-      card_(folder_.card()),
-      mesh_(folder_.mesh()),
+      seen_(seen_of(folder_, ply)),
+      scene_(seen_.scene),
+      card_(seen_.card),
+      mesh_(seen_.mesh),
       history_(folder_.history()),
       frame_(folder_.frames()),
       grip_(moving_grip(history_, grip, directory)),
-      flat_(mesh_, scene_.blank) {
+      flat_(mesh_, scene_.blank),
+      whole_nodes_(folder_.mesh().nodes.position.size()) {
   if (frame_.size() < 2 || history_.row.empty())
     throw InputError(fmt::format("{}: has fewer than two frames; solve again", directory.string()));
   time_ = history_.values("time_s");
@@ -88,10 +105,6 @@ Simulation::Simulation(const fs::path& directory, const std::string& grip)
 }
 
 SimulatedState Simulation::state(const std::vector<Vec3>& world, double time, double travel) const {
-  if (static_cast<int>(world.size()) != mesh_.node_count())
-    throw InputError(
-        fmt::format("{}: a frame has {} nodes, but mesh.vtu has {}; the folder mixes two runs, solve again",
-                    folder_.directory().string(), world.size(), mesh_.node_count()));
   SimulatedState result;
   result.time = time;
   result.travel = travel;
@@ -106,8 +119,18 @@ SimulatedState Simulation::state(const std::vector<Vec3>& world, double time, do
   return result;
 }
 
+// Of the nodes that are seen.
+std::vector<Vec3> Simulation::positions(std::size_t frame) const {
+  std::vector<Vec3> all = read_frame_positions(frame_[frame].file);
+  if (all.size() != whole_nodes_)
+    throw InputError(
+        fmt::format("{}: a frame has {} nodes, but mesh.vtu has {}; the folder mixes two runs, solve again",
+                    folder_.directory().string(), all.size(), whole_nodes_));
+  return {all.begin() + seen_.nodes.first, all.begin() + seen_.nodes.last};
+}
+
 SimulatedState Simulation::at_frame(std::size_t frame) const {
-  return state(read_frame_positions(frame_[frame].file), frame_[frame].time, frame_travel_[frame]);
+  return state(positions(frame), frame_[frame].time, frame_travel_[frame]);
 }
 
 SimulatedState Simulation::at_travel(double travel, const std::string& asked_by) const {
@@ -124,8 +147,8 @@ SimulatedState Simulation::at_travel(double travel, const std::string& asked_by)
     const double share = to == from ? 0.0 : std::clamp((travel - from) / (to - from), 0.0, 1.0);
     if (share < 1e-9) return at_frame(k);
     if (share > 1.0 - 1e-9) return at_frame(k + 1);
-    std::vector<Vec3> position = read_frame_positions(frame_[k].file, mesh_);
-    const std::vector<Vec3> next = read_frame_positions(frame_[k + 1].file, mesh_);
+    std::vector<Vec3> position = positions(k);
+    const std::vector<Vec3> next = positions(k + 1);
     for (std::size_t n = 0; n < position.size(); ++n)
       for (std::size_t c = 0; c < 3; ++c) position[n][c] += share * (next[n][c] - position[n][c]);
     return state(position, frame_[k].time + share * (frame_[k + 1].time - frame_[k].time), travel);

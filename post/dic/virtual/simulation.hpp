@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/mesh/stack.hpp"
 #include "post/dic/virtual/flat_mesh.hpp"
 #include "solver/result/result_folder.hpp"
 
@@ -20,9 +21,10 @@ struct SimulatedState {
 
 class Simulation {
 public:
-  // `grip` names the grip or tool whose travel and load count; "": the only one that moves. Throws FileError or
-  // InputError (which file is missing, which grips there are).
-  Simulation(const std::filesystem::path& directory, const std::string& grip);
+  // `grip` names the grip or tool whose travel and load count; "": the only one that moves. `ply` names the ply of a
+  // stack that the camera sees; "": the highest. Throws FileError or InputError (which file is missing, which grips or
+  // plies there are).
+  Simulation(const std::filesystem::path& directory, const std::string& grip, const std::string& ply = "");
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -45,9 +47,19 @@ public:
   [[nodiscard]] double force_at(double travel) const;
 
 private:
+  // What is seen of the result: all of it, or one ply of a stack.
+  struct Seen {
+    const Scene& scene;
+    const Card& card;
+    const Mesh& mesh;
+    Range nodes;  // of the whole mesh
+  };
+  [[nodiscard]] static Seen seen_of(ResultFolder& folder, const std::string& ply);
+  [[nodiscard]] std::vector<Vec3> positions(std::size_t frame) const;
   [[nodiscard]] SimulatedState state(const std::vector<Vec3>& world, double time, double travel) const;
 
   ResultFolder folder_;
+  Seen seen_;
   const Scene& scene_;
   const Card& card_;
   const Mesh& mesh_;
@@ -57,6 +69,7 @@ private:
   std::vector<double> time_, travel_, force_;  // of the history
   std::vector<double> frame_travel_;
   FlatMesh flat_;
+  std::size_t whole_nodes_;
 };
 
 // Values at x of a curve given by points with rising x, held constant beyond its ends.

@@ -91,7 +91,7 @@ Eigen::Vector2d ideal_zone_border(const Vec2& place, double angle, const YarnDir
 
 ZoneBorders zone_border_widths(const std::filesystem::path& result, const std::vector<double>& facet_sizes,
                                const Settings& settings) {
-  const Simulation simulation(result, settings.stages.grip);
+  const Simulation simulation(result, settings.stages.grip, settings.instrument.ply);
   const auto specimen = find_bias_extension(simulation.scene());
   if (!specimen)
     throw InputError(

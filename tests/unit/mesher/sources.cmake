@@ -14,11 +14,15 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/lattice/lattice_totals_test.cpp
   unit/mesher/mesh/mesh_io_test.cpp
   unit/mesher/mesh/mesh_parts_test.cpp
+  unit/mesher/mesh/stack_mesh_test.cpp
   unit/mesher/mesh/vtu_grid_test.cpp
   unit/mesher/outline/dxf_outline_test.cpp
   unit/mesher/outline/outline_zoo_test.cpp
+  unit/mesher/resolve/stack_laws_test.cpp
+  unit/mesher/resolve/stack_test.cpp
   unit/mesher/scene/scene_complaint_test.cpp
   unit/mesher/scene/scene_test.cpp
+  unit/mesher/scene/stack_scene_test.cpp
   unit/mesher/symmetry/symmetry_test.cpp
   unit/mesher/tools/geo_script_test.cpp
   unit/mesher/tools/stl_test.cpp

@@ -34,6 +34,19 @@ TEST(OwnedFiles, AreRemovedWithTheFoldersThatAreEmptyThen) {
   EXPECT_TRUE(fs::exists(folder.path() / "other/mine"));
 }
 
+TEST(OwnedFiles, AreFoundInFoldersOfAnyNameToo) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"plies/lower", "plies/upper", "plies/mine"}) fs::create_directories(folder.path() / name);
+  fs::create_directory_symlink("mine", folder.path() / "plies/link");
+  for (const char* name : {"plies/lower/outline.csv", "plies/upper/outline.csv", "plies/mine/notes.txt"})
+    std::ofstream(folder.path() / name) << "x";
+  EXPECT_EQ(present_files(folder.path(), {"plies/*/outline.csv"}).size(), 2U);
+  remove_files(folder.path(), {"plies/*/outline.csv"});
+  EXPECT_FALSE(fs::exists(folder.path() / "plies/lower"));
+  EXPECT_FALSE(fs::exists(folder.path() / "plies/upper"));
+  EXPECT_TRUE(fs::exists(folder.path() / "plies/mine/notes.txt"));
+}
+
 TEST(OwnedFiles, AreNotLookedForBehindALink) {
   const test::TemporaryFolder folder;
   fs::create_directories(folder.path() / "theirs");

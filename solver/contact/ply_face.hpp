@@ -1,0 +1,95 @@
+// A ply as contact with others knows it: its surface, its nodes that can touch, and their normals.
+//
+// Only nodes with a mass touch; they go in blocks of neighbours in a row, each padded to whole vectors. What contact keeps
+// of every node lies in one array by block: block b owns entries at .. at + lanes - 1, of which the first `count` are its
+// nodes, first .. first + count - 1 in the packed order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/contact/ply_kernel.hpp"
+#include "solver/contact/ply_law.hpp"
+#include "solver/contact/ply_surface.hpp"
+#include "solver/ply/ply.hpp"
+
+namespace weaveform {
+
+struct PlyBlock {
+  int first = 0, count = 0;
+  int at = 0, lanes = 0;
+};
+
+// Places of the nodes of a block, and what lies between their neighbours (ply_kernel.hpp); lanes beyond them 0.
+struct BlockFrame {
+  const double* x[3];  // mm
+  alignas(64) double a[3][ply_nodes_at_a_time], b[3][ply_nodes_at_a_time];
+  alignas(64) double copy[3][ply_nodes_at_a_time];  // of places, where the state's own array ends too early
+};
+
+class PlyFace {
+public:
+  PlyFace(Ply& ply, std::string name);
+
+  [[nodiscard]] Ply& ply() const { return ply_; }
+  [[nodiscard]] State& state() const { return ply_.state(); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const PlySurface& surface() const { return surface_; }
+  [[nodiscard]] const TouchingPly& touching() const { return touching_; }
+  [[nodiscard]] int nodes() const { return ply_.packed().nodes; }
+  [[nodiscard]] const std::vector<PlyBlock>& blocks() const { return blocks_; }
+  [[nodiscard]] int lanes() const { return static_cast<int>(area_.size()); }
+  [[nodiscard]] int lane_of(int packed) const { return lane_of_[packed]; }  // -1: does not touch
+  [[nodiscard]] int node_of(int lane) const { return node_of_[lane]; }      // packed; -1: padding
+  [[nodiscard]] const Doubles& mass() const { return mass_; }               // tonne; per lane, 0 where no node is
+  [[nodiscard]] const Doubles& area() const { return area_; }               // mm^2; likewise
+  [[nodiscard]] const NodeArms& arms(int packed) const { return arms_[packed]; }
+  [[nodiscard]] int shown_node(int packed) const { return mesh_of_packed_[packed]; }  // for messages
+
+  [[nodiscard]] Vec3 position(int packed) const;
+  [[nodiscard]] Vec3 normal(int packed) const;  // of any length
+  // a and b; in a mirror plane as both sides have them.
+  [[nodiscard]] std::array<Vec3, 2> between_neighbours(int packed) const;
+  void frame(int block, BlockFrame& frame) const;
+  // mm/s; greatest speed of the block's nodes.
+  [[nodiscard]] double speed(int block) const;
+
+  // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are cleared, added to by its passes, and
+  // when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
+  void clear_levers(int block);
+  void add_levers(int block, int first, int count, const double (&lever)[6][ply_nodes_at_a_time]);
+  [[nodiscard]] bool has_levers() const;
+  void take_levers(int first, int end);
+  void take_irregular_levers();
+
+  double way = 0.0;  // mm; no node has moved further since the start
+
+private:
+  void make_blocks();
+  void find_irregular();
+
+  Ply& ply_;
+  std::string name_;
+  PlySurface surface_;
+  std::vector<NodeArms> arms_;
+  std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
+  // A mirror plane that a node lies in. Its yarns run along or across the plane (swaps 0), or it mirrors each family onto
+  // the other (1 where a warp's image runs as the weft does, -1 where against it).
+  struct InPlane {
+    Vec3 normal;
+    double swaps;
+  };
+  void find_planes();
+  [[nodiscard]] std::array<Vec3, 2> between_arms(int packed) const;
+  std::vector<std::vector<InPlane>> flat_;  // per packed node
+  std::array<Doubles, 6> lever_;            // N; a row before and behind the packed nodes', 0 at irregular nodes
+  std::vector<std::array<double, 6>> irregular_lever_;  // N
+  std::vector<char> has_levers_;                        // per block
+  std::vector<PlyBlock> blocks_;
+  std::vector<int> lane_of_, node_of_;
+  Doubles mass_, area_;
+  std::vector<int> mesh_of_packed_;
+  TouchingPly touching_;
+};
+
+}  // namespace weaveform

@@ -1,0 +1,373 @@
+// Compiled once for each instruction set (core/instructions); includes nothing whose inline code other files share.
+// Selections stand alone, none in another: the compiler would leave the loop scalar.
+#include "solver/contact/ply_kernel.hpp"
+
+#include <cmath>
+
+#define WEAVEFORM_INLINE [[gnu::always_inline]] inline
+
+namespace weaveform::WEAVEFORM_SET {
+namespace {
+
+// 1/sqrt(x) to 1e-10, x > 0: half the exponent with its sign turned, and Newton's y (3 - x y^2)/2 three times. A loop
+// of roots and divisions would wait for those alone. Where more is needed one more step makes it so.
+WEAVEFORM_INLINE double inverse_root(double x) {
+  const auto bits = __builtin_bit_cast(unsigned long, x);
+  double y = __builtin_bit_cast(double, 0x5fe6eb50c7b537a9UL - (bits >> 1U));
+  const double half = 0.5 * x;
+  y *= 1.5 - half * y * y;
+  y *= 1.5 - half * y * y;
+  y *= 1.5 - half * y * y;
+  return y;
+}
+WEAVEFORM_INLINE double inverse_of(double x) {
+  const double y = inverse_root(x);
+  return y * y;
+}
+
+// Keep inverses finite, far below anything that matters.
+constexpr double least = 1e-30, least_area = 1e-12, least_square = 1e-60;  // mm^4, mm^2, mm^2 or N^2
+
+// Piecewise linear, x >= 0.
+WEAVEFORM_INLINE double value_at(const EvenTable& table, double x) {
+  const double along = x * table.per_unit;
+  const double inside = along < table.intervals ? along : table.intervals;
+  long left = static_cast<long>(inside);
+  left = left < table.intervals ? left : table.intervals - 1;
+  const double low = table.value[left], high = table.value[left + 1];
+  return low + (high - low) * (inside - static_cast<double>(left)) + table.last_slope * (along - inside);
+}
+
+// What all nodes of a block have in common.
+struct Common {
+  double inverse_softening, inverse_time;
+  double moved;  // 1, or 0 at a first look
+  double twist;  // 1, or 0 on triangles
+};
+
+// A node's law is one long chain of results; three short loops over a block keep several nodes in flight, one long loop
+// one at a time. Between the loops:
+struct Feet {
+  alignas(64) double dxi[ply_nodes_at_a_time], deta[ply_nodes_at_a_time];  // way since the step before
+  alignas(64) double s1[3][ply_nodes_at_a_time], s2[3][ply_nodes_at_a_time];
+  alignas(64) double r[3][ply_nodes_at_a_time];                                // S_xi, S_eta, x - y; mm
+  alignas(64) double square[ply_nodes_at_a_time], along[ply_nodes_at_a_time];  // r.r, r.n
+  alignas(64) double meets[ply_nodes_at_a_time];  // 1 where the normals part by less than 45 degrees, 0 from 60 on
+  alignas(64) double normal[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // N; N, T's q
+};
+
+WEAVEFORM_INLINE void normal_of(const PlyPassNodes& nodes, int i, double (&n)[3]) {
+  const double a[3] = {nodes.a[0][i], nodes.a[1][i], nodes.a[2][i]},
+               b[3] = {nodes.b[0][i], nodes.b[1][i], nodes.b[2][i]};
+  n[0] = a[1] * b[2] - a[2] * b[1];
+  n[1] = a[2] * b[0] - a[0] * b[2];
+  n[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+// r = dxi S_xi + deta S_eta + s n, by Cramer's rule.
+WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes, Feet& feet, int i) {
+  const long corner = nodes.corner[i];
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i];
+  double e1[3], e2[3], e3[3], n[3], from[3], r[3], s1[3], s2[3];
+  normal_of(nodes, i, n);
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    const double* const origin = nodes.surface[c];
+    const double *const first = origin + nodes.beside[0], *const second = origin + nodes.beside[1],
+                        *const third = origin + nodes.beside[2];
+    from[c] = nodes.x[c][i] - origin[corner];
+    e1[c] = first[corner] - origin[corner];
+    e2[c] = second[corner] - origin[corner];
+    e3[c] = common.twist * (third[corner] - first[corner] - e2[c]);
+    s1[c] = e1[c] + eta * e3[c];
+    s2[c] = e2[c] + xi * e3[c];
+    r[c] = from[c] - xi * e1[c] - eta * s2[c];
+  }
+  const double a[3] = {s2[1] * n[2] - s2[2] * n[1], s2[2] * n[0] - s2[0] * n[2], s2[0] * n[1] - s2[1] * n[0]};
+  const double b[3] = {n[1] * s1[2] - n[2] * s1[1], n[2] * s1[0] - n[0] * s1[2], n[0] * s1[1] - n[1] * s1[0]};
+  const double m[3] = {s1[1] * s2[2] - s1[2] * s2[1], s1[2] * s2[0] - s1[0] * s2[2], s1[0] * s2[1] - s1[1] * s2[0]};
+  const double all = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+  const double squares = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  const double determinant = nodes.stiffness[i] > 0.0 ? all : 0.0;
+  const double held = determinant > least ? determinant : 1.0;
+  // cos^2 from 1/4 to 1/2
+  const double facing = 4.0 * determinant * determinant * inverse_of(squares + least) - 1.0;
+  const double faced = facing > 0.0 ? facing : 0.0;
+  const double inverse = determinant > least ? inverse_of(held) : 0.0;
+  const double dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse;
+  const double deta = (r[0] * b[0] + r[1] * b[1] + r[2] * b[2]) * inverse;
+  const double xi_now = xi + dxi, eta_now = eta + deta;
+  double square = 0.0, along = 0.0;
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    const double second = e2[c] + xi_now * e3[c];
+    const double way = from[c] - xi_now * e1[c] - eta_now * second;
+    feet.s1[c][i] = e1[c] + eta_now * e3[c];
+    feet.s2[c][i] = second;
+    feet.r[c][i] = way;
+    square += way * way;
+    along += way * n[c];
+  }
+  nodes.place[0][i] = xi_now;
+  nodes.place[1][i] = eta_now;
+  feet.dxi[i] = dxi;
+  feet.deta[i] = deta;
+  feet.square[i] = square;
+  feet.along[i] = along;
+  const double meets = faced < 1.0 ? faced : 1.0;
+  feet.meets[i] = determinant > least ? meets : 0.0;
+}
+
+struct Normal {
+  double force, elastic, stored;  // N, N, mJ
+};
+
+template <bool with_tables>
+WEAVEFORM_INLINE Normal normal_force(const PlyPassLaw& law, const Common& common, double depth, double sinking,
+                                     double k, double area) {
+  const double pressed = depth > 0.0 ? depth : 0.0;
+  const double soft = pressed < law.softening ? pressed : law.softening, engaged = soft * common.inverse_softening;
+  const double beyond = pressed - soft;
+  Normal out;
+  out.elastic = k * engaged * (pressed - 0.5 * soft);
+  // the integral: k p^3/(6 d) to the depth d, k ((p - d/2)^2/2 + d^2/24) beyond
+  out.stored = k * (engaged * soft * soft * (1.0 / 6.0) + 0.5 * beyond * (soft + beyond));
+  if constexpr (with_tables) {
+    if (law.pressure.intervals > 0) {
+      out.elastic = area * value_at(law.pressure, pressed);
+      out.stored = area * value_at(law.pressure_energy, pressed);
+    }
+  }
+  const double total = out.elastic + law.damping_time * k * engaged * common.inverse_time * sinking;
+  out.force = total > 0.0 ? total : 0.0;
+  return out;
+}
+
+struct Contribution {
+  double area, normal, friction, energy, friction_work, damping_work, depth, pressure, outside;
+};
+
+template <bool with_tables>
+WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes, Feet& feet,
+                                    PlyPassForces& forces, int i) {
+  const double inverse_distance = inverse_root(feet.square[i] + least_square);
+  const double guess = feet.square[i] * inverse_distance;
+  const double distance = guess + 0.5 * (feet.square[i] - guess * guess) * inverse_distance;
+  const double depth = law.reach - (law.side * feet.along[i] >= 0.0 ? distance : -distance);
+  // nobody gets there in one step: it is another side of a fold that the line met
+  const double meets = depth < 2.0 * law.reach ? feet.meets[i] : 0.0;
+  const double given = nodes.stiffness[i], k = meets * given, area = meets * law.share * nodes.area[i];
+  const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
+  const double sinking = depth - nodes.depth[i];  // over the step just made
+  const Normal normal = normal_force<with_tables>(law, common, depth, sinking, k, area);
+
+  // t from the anchor to the foot, u over the step just made
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i], dxi = feet.dxi[i], deta = feet.deta[i];
+  const double t1 = xi - nodes.anchor[0][i], t2 = eta - nodes.anchor[1][i];
+  const double q1 = kt * t1 + ct * dxi, q2 = kt * t2 + ct * deta;
+  const double drag0 = nodes.drag[0][i], drag1 = nodes.drag[1][i], drag2 = nodes.drag[2][i];
+  double g11 = 0.0, g12 = 0.0, g22 = 0.0;  // the metric of the cell: products of its vectors' components
+#pragma GCC unroll 3
+  for (int d = 0; d < 3; ++d) {
+    g11 += feet.s1[d][i] * feet.s1[d][i];
+    g12 += feet.s1[d][i] * feet.s2[d][i];
+    g22 += feet.s2[d][i] * feet.s2[d][i];
+  }
+  const double u_1 = g11 * dxi + g12 * deta, u_2 = g12 * dxi + g22 * deta;
+  const double u_square = dxi * u_1 + deta * u_2, t_u = t1 * u_1 + t2 * u_2, u_drag = drag1 * u_1 + drag2 * u_2;
+  const double t_square = t1 * (g11 * t1 + g12 * t2) + t2 * (g12 * t1 + g22 * t2);
+  const double s_square = q1 * (g11 * q1 + g12 * q2) + q2 * (g12 * q1 + g22 * q2);
+  const double t_size = t_square * inverse_root(t_square + least_square);
+  const double s_inverse = inverse_root(s_square + least_square), s_size = s_square * s_inverse;
+  double limit = law.friction * normal.force, holds = depth > 0.0 ? 1.0 : 0.0;
+  if constexpr (with_tables) {
+    if (law.shear.intervals > 0) {
+      holds = depth > law.adhesion ? 1.0 : 0.0;
+      limit += holds * area * value_at(law.shear, nodes.path[i] + t_size);
+    }
+  }
+  const double held = s_size > limit ? limit * s_inverse : 1.0;
+  const double cut = k > 0.0 ? held : 0.0;  // without a foot nothing is stretched
+  feet.normal[i] = law.side * normal.force;
+  feet.q1[i] = -cut * q1;
+  feet.q2[i] = -cut * q2;
+  forces.acts[i] = normal.force + cut * s_size;
+
+  // a node on which nothing acts keeps what it had
+  const double drag_now = normal.force - normal.elastic, slid = (1.0 - cut) * t_size * holds;
+  nodes.anchor[0][i] = given > 0.0 ? xi - cut * t1 : nodes.anchor[0][i];
+  nodes.anchor[1][i] = given > 0.0 ? eta - cut * t2 : nodes.anchor[1][i];
+  nodes.path[i] += given > 0.0 ? slid : 0.0;
+  nodes.depth[i] = given > 0.0 ? depth : nodes.depth[i];
+  nodes.drag[0][i] = given > 0.0 ? drag_now : drag0;
+  nodes.drag[1][i] = given > 0.0 ? -cut * ct * dxi : drag1;
+  nodes.drag[2][i] = given > 0.0 ? -cut * ct * deta : drag2;
+
+  Contribution out;
+  out.area = depth > 0.0 ? area : 0.0;
+  out.normal = normal.force;
+  out.friction = cut * s_size;
+  out.energy = normal.stored + 0.5 * kt * cut * cut * t_square;
+  // the spring's slip (1 - cut) t against half its force before, k_t (t - u), and half of now's, k_t cut t
+  out.friction_work =
+      common.moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
+  out.damping_work = common.moved * meets * 0.5 * (drag0 + drag_now) * sinking;
+  out.depth = k > 0.0 ? depth : -1e300;
+  out.pressure = normal.force * inverse_of(area + least_area);
+  const double low = xi < eta ? xi : eta, high = xi > eta ? xi : eta;
+  const double over = common.twist > 0.0 ? high - 1.0 : xi + eta - 1.0;
+  const double out_of_cell = over > -low ? over : -low;
+  const double leaves = k > 0.0 ? out_of_cell : 1e300;  // so does who has no foot
+  out.outside = given > 0.0 ? leaves : -1.0;
+  return out;
+}
+
+// F, what the corners take of it, and the couple on the node's neighbours, G_a and G_b.
+WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes, const Feet& feet,
+                                PlyPassForces& forces, int i) {
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i], q1 = feet.q1[i], q2 = feet.q2[i];
+  const double n3 = common.twist * xi * eta, n1 = xi - n3, n2 = eta - n3, n0 = 1.0 - xi - eta + n3;
+  const double a[3] = {nodes.a[0][i], nodes.a[1][i], nodes.a[2][i]},
+               b[3] = {nodes.b[0][i], nodes.b[1][i], nodes.b[2][i]};
+  const double r[3] = {feet.r[0][i], feet.r[1][i], feet.r[2][i]};
+  const double s1[3] = {feet.s1[0][i], feet.s1[1][i], feet.s1[2][i]},
+               s2[3] = {feet.s2[0][i], feet.s2[1][i], feet.s2[2][i]};
+  double n[3], t[3], f[3];
+  normal_of(nodes, i, n);
+  const double m[3] = {s1[1] * s2[2] - s1[2] * s2[1], s1[2] * s2[0] - s1[0] * s2[2], s1[0] * s2[1] - s1[1] * s2[0]};
+  const double m_n = m[0] * n[0] + m[1] * n[1] + m[2] * n[2], n_n = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  const double a_b = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
+  double t_n = 0.0;
+#pragma GCC unroll 3
+  for (int d = 0; d < 3; ++d) {
+    t[d] = q1 * s1[d] + q2 * s2[d];
+    t_n += t[d] * n[d];
+  }
+  const double inverse_n = inverse_root(n_n + least), inverse_n_n = inverse_n * inverse_n;
+  const double met = m_n > least ? m_n : 1.0;  // where there is no foot there is no force
+  const double along = (feet.normal[i] * n_n * inverse_n - t_n) * inverse_of(met);
+#pragma GCC unroll 3
+  for (int d = 0; d < 3; ++d) {
+    f[d] = along * m[d] + t[d];
+    forces.force[d][i] = f[d];
+    forces.back[0][d][i] = -n0 * f[d];
+    forces.back[1][d][i] = -n1 * f[d];
+    forces.back[2][d][i] = -n2 * f[d];
+    forces.back[3][d][i] = -n3 * f[d];
+  }
+  // a x G_a + b x G_b = -r x F: what is across n by f = (-r x F) x n/n^2, the rest, of rounding's size, by turning both
+  const double c[3] = {r[2] * f[1] - r[1] * f[2], r[0] * f[2] - r[2] * f[0], r[1] * f[0] - r[0] * f[1]};
+  const double g[3] = {(c[1] * n[2] - c[2] * n[1]) * inverse_n_n, (c[2] * n[0] - c[0] * n[2]) * inverse_n_n,
+                       (c[0] * n[1] - c[1] * n[0]) * inverse_n_n};
+  const double w = (c[0] * n[0] + c[1] * n[1] + c[2] * n[2]) * inverse_n_n * inverse_of(a_b + least);
+  forces.lever[0][i] = b[1] * g[2] - b[2] * g[1] + w * (n[1] * a[2] - n[2] * a[1]);
+  forces.lever[1][i] = b[2] * g[0] - b[0] * g[2] + w * (n[2] * a[0] - n[0] * a[2]);
+  forces.lever[2][i] = b[0] * g[1] - b[1] * g[0] + w * (n[0] * a[1] - n[1] * a[0]);
+  forces.lever[3][i] = g[1] * a[2] - g[2] * a[1] + w * (n[1] * b[2] - n[2] * b[1]);
+  forces.lever[4][i] = g[2] * a[0] - g[0] * a[2] + w * (n[2] * b[0] - n[0] * b[2]);
+  forces.lever[5][i] = g[0] * a[1] - g[1] * a[0] + w * (n[0] * b[1] - n[1] * b[0]);
+}
+
+template <bool with_tables>
+PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given,
+                 PlyPassForces& forces) {
+  const PlyPassLaw law = law_given;
+  const PlyPassNodes nodes = nodes_given;
+  const Common common = {.inverse_softening = 1.0 / law.softening,
+                         .inverse_time = inverse_time,
+                         .moved = inverse_time > 0.0 ? 1.0 : 0.0,
+                         .twist = nodes.beside[2] != 0 ? 1.0 : 0.0};
+  double area = 0.0, normal = 0.0, friction = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
+  double depth = -1e300, pressure = 0.0, outside = -1.0;
+  Feet feet;
+#pragma omp simd
+  for (int i = 0; i < nodes.count; ++i) find_foot(common, nodes, feet, i);
+#pragma omp simd reduction(+ : area, normal, friction, energy, friction_work, damping_work) \
+    reduction(max : depth, pressure, outside)
+  for (int i = 0; i < nodes.count; ++i) {
+    const Contribution one = press<with_tables>(law, common, nodes, feet, forces, i);
+    area += one.area;
+    normal += one.normal;
+    friction += one.friction;
+    energy += one.energy;
+    friction_work += one.friction_work;
+    damping_work += one.damping_work;
+    depth = one.depth > depth ? one.depth : depth;
+    pressure = one.pressure > pressure ? one.pressure : pressure;
+    outside = one.outside > outside ? one.outside : outside;
+  }
+#pragma omp simd
+  for (int i = 0; i < nodes.count; ++i) share_out(common, nodes, feet, forces, i);
+  return {.area = area,
+          .normal = normal,
+          .friction = friction,
+          .energy = energy,
+          .friction_work = friction_work,
+          .damping_work = damping_work,
+          .depth = depth,
+          .pressure = pressure,
+          .outside = outside};
+}
+
+void way(int count, const double* from, const double* to, double* between) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) between[i] = to[i] - from[i];
+}
+
+void lever(int count, int stride, const double* lever_a, const double* lever_b, double* force) {
+  const double *west = lever_a - 1, *east = lever_a + 1, *south = lever_b - stride, *north = lever_b + stride;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) force[i] += (west[i] - east[i]) + (south[i] - north[i]);
+}
+
+using Four [[gnu::vector_size(32)]] = double;
+
+void give_back(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces, double* into,
+               char* touched) {
+  const int away[4] = {0, beside[0], beside[1], beside[2]};
+  for (int i = 0; i < count; ++i) {
+    if (!(forces.acts[i] > 0.0)) continue;
+    for (int a = 0; a < 4; ++a) {
+      const long node = corner[i] + away[a];
+      Four* const sum = reinterpret_cast<Four*>(into + 4 * node);
+      const Four more = {forces.back[a][0][i], forces.back[a][1][i], forces.back[a][2][i], 0.0};
+      *sum += more;
+      touched[node / ply_segment] = 1;
+    }
+  }
+}
+
+void fold(int count, double* from, double* const (&into)[3]) {
+  double *x = into[0], *y = into[1], *z = into[2];
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    x[i] += from[4 * i];
+    y[i] += from[4 * i + 1];
+    z[i] += from[4 * i + 2];
+  }
+  for (int i = 0; i < 4 * count; ++i) from[i] = 0.0;
+}
+
+double speed(int count, const double* const (&v)[3]) {
+  const double *vx = v[0], *vy = v[1], *vz = v[2];
+  double greatest = 0.0;
+#pragma omp simd reduction(max : greatest)
+  for (int i = 0; i < count; ++i) {
+    const double square = vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i];
+    greatest = square > greatest ? square : greatest;
+  }
+  return std::sqrt(greatest);
+}
+
+}  // namespace
+
+extern const PlyLoops ply_loops;
+const PlyLoops ply_loops = {.springs = pass<false>,
+                            .tables = pass<true>,
+                            .way = way,
+                            .lever = lever,
+                            .give_back = give_back,
+                            .fold = fold,
+                            .speed = speed};
+
+}  // namespace weaveform::WEAVEFORM_SET

@@ -1,0 +1,130 @@
+// The contact law between nodes of one ply and the surface of another, for the nodes of one block.
+//
+// A node's foot is y = S(xi, eta) on a cell with corners x_0 (0, 0), x_1 (1, 0), x_2 (0, 1), x_3 (1, 1),
+//   N_3 = xi eta, N_1 = xi - N_3, N_2 = eta - N_3, N_0 = 1 - xi - eta + N_3        (a triangle x_0 x_1 x_2: N_3 = 0)
+// where the line from x along the node's own unit normal n meets it (none where the two surfaces part by 60 degrees and
+// more, all from 45 down): x - S(xi, eta) = s n, by one Newton step from the
+// foot of the step before. n is that of a x b, with a and b from the node's neighbours: it turns smoothly where cells
+// meet at an edge. r = x - y, and the depth is p = reach - |r|, |r| counted negative beyond the surface.
+//
+// With the share's stiffness k of the node (ply_law.hpp) and the softening depth d:
+//   normal    N = k p^2/(2d) for p < d, k (p - d/2) beyond; or A P(p) of a measured compaction. Plus damping
+//             c min(p/d, 1) dp/dt, never pulling
+//   friction  t = S_xi (xi - xi_a) + S_eta (eta - eta_a), from the anchor in the cell's own coordinates to the foot;
+//             spring k_t t and damper c_t dt/dt together, cut to mu N + A tau(slip) as a whole, whereupon the anchor
+//             follows (return mapping). slip = path so far + |t|, so that under growing slip tau is that of the table.
+// What is lost is counted as in contact_kernel.hpp: each force over half the way before and half the way after.
+//
+// Forces are those of a potential of s and (xi, eta), whatever has a part in these. From x - S = s n, with m the cell's
+// normal S_xi x S_eta:
+//   ds      = m.(dx - sum N_a dx_a - s dn)/(m.n)
+//   T.dS    = T'.(dx - sum N_a dx_a - s dn),  T' = T - (T.n) m/(m.n)                   (dS: the foot's way on the cell)
+// so that the node takes F = (N - T.n) m/(m.n) + T (N with the sign of its side, T along the cell), corner a takes
+// -N_a F, and n takes -s F, which is a couple on the node's neighbours: the forces +-G_a at the ends of a, +-G_b at those
+// of b, with a x G_a + b x G_b = -r x F, G_a = b x f + w n x a, G_b = f x a + w n x b. Forces and moments sum to zero to
+// rounding. With the couple elsewhere, say on the corners, friction would be a force without a potential, and plies
+// flutter on it.
+#pragma once
+
+namespace weaveform {
+
+inline constexpr int ply_nodes_at_a_time = 64;
+inline constexpr int ply_nodes_padded_to = 8;  // loops go over so many at once, and leave none for a slower end
+
+// A curve of values at i / per_unit, i = 0 .. intervals; beyond it goes on with `last_slope`.
+struct EvenTable {
+  const double* value = nullptr;
+  double per_unit = 0.0;  // 1/mm
+  int intervals = 0;
+  double last_slope = 0.0;  // per interval
+};
+
+struct PlyPassLaw {
+  double reach = 0.0;         // mm; |r| at which the two touch
+  double side = 1.0;          // +1 where the nodes lie above the surface, -1 below
+  double softening = 0.0;     // mm; d
+  double damping_time = 0.0;  // s; c over k
+  double tangential = 1.0;    // 1; k_t over k
+  double friction = 0.0;      // 1; mu
+  double share = 1.0;         // 1; of the pressure, the shear stress and the area that these nodes carry
+  EvenTable shear;            // MPa; tau of the slip path; none: nothing
+  double adhesion = 0.0;      // mm; tau acts down to this depth (negative: across a gap)
+  EvenTable pressure;         // MPa; P of the depth; none: springs
+  EvenTable pressure_energy;  // mJ/mm^2; its integral
+};
+
+// Arrays of `count` entries, but for those of the surface.
+struct PlyPassNodes {
+  int count;
+  const double* x[3];        // mm
+  const double* a[3];        // mm; between the node's neighbours along the warp
+  const double* b[3];        // mm; along the weft; a x b points upwards, and there is no foot where it is 0
+  const double* stiffness;   // N/mm; k; 0 where nothing acts: what is kept of such a node stays as it is
+  const double* area;        // mm^2; of the fabric around the node
+  const long* corner;        // first corner of the foot's cell; as wide as doubles, so that loops do not mix widths
+  int beside[3];             // from it to the other three; the last is 0 for triangles
+  const double* surface[3];  // mm; positions of the other ply's nodes
+  double* place[2];          // xi, eta
+  double* anchor[2];         // likewise
+  double* depth;             // mm; p at the step before, then now
+  double* drag[3];           // N; of the dampers at the step before, then now: normal, and the components q of T
+  double* path;              // mm; slip so far
+};
+
+// What the nodes of a block feel.
+struct PlyPassForces {
+  alignas(64) double force[3][ply_nodes_at_a_time];    // N; F
+  alignas(64) double back[4][3][ply_nodes_at_a_time];  // N; of each corner
+  alignas(64) double lever[6][ply_nodes_at_a_time];    // N; G_a and G_b
+  alignas(64) double acts[ply_nodes_at_a_time];        // N; above 0 where something acts
+};
+
+// Sums over a block.
+struct PlyPassSums {
+  double area = 0.0;           // mm^2; share of what touches
+  double normal = 0.0;         // N
+  double friction = 0.0;       // N
+  double energy = 0.0;         // mJ; stored
+  double friction_work = 0.0;  // mJ; lost along the surface, over the step just made
+  double damping_work = 0.0;   // mJ; lost across it
+  double depth = -1e300;       // mm; greatest
+  double pressure = 0.0;       // MPa; greatest
+  double outside = -1.0;       // 1; greatest way of a foot out of its cell, in its coordinates; 1e300: has none
+};
+
+// `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
+using PlyPass = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes,
+                            PlyPassForces& forces);
+
+// Nodes whose forces lie together, x, y, z and nothing, so that one is added with one instruction; `touched` has a flag
+// for each so many of them.
+inline constexpr int ply_segment = 64;
+// Adds what the corners take, of the first `count` nodes.
+using PlyGiveBack = void(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
+                         double* into, char* touched);
+
+// way[i] = to[i] - from[i].
+using PlyWay = void(int count, const double* from, const double* to, double* way);
+
+// force[i] += G_a[i - 1] - G_a[i + 1] + G_b[i - stride] - G_b[i + stride].
+using PlyLever = void(int count, int stride, const double* lever_a, const double* lever_b, double* force);
+
+// Adds such forces to one array for each component, and leaves zeros.
+using PlyFold = void(int count, double* from, double* const (&into)[3]);
+
+// mm/s; greatest speed.
+using PlySpeed = double(int count, const double* const (&v)[3]);
+
+struct PlyLoops {
+  PlyPass* springs;  // Coulomb, springs
+  PlyPass* tables;   // with tables of shear or pressure, either or both
+  PlyWay* way;
+  PlyLever* lever;
+  PlyGiveBack* give_back;
+  PlyFold* fold;
+  PlySpeed* speed;
+};
+
+[[nodiscard]] const PlyLoops& loops_of_plies();
+
+}  // namespace weaveform

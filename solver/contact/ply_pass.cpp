@@ -1,0 +1,489 @@
+#include "solver/contact/ply_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace weaveform {
+namespace {
+
+constexpr double cell_border = 1e-6;  // of a cell: a foot goes on to the next one when it is so far out
+// Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
+constexpr double ply_border = 0.3, triangle_border = 0.05;
+constexpr int tidy_every = 8;           // steps; from one look at feet that have left the ply to the next
+constexpr double safe_part = 0.5;       // of a measured clearance: distances along normals are not quite the least ones
+constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
+constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+void add_sums(const PlyPassSums& one, PlyPassSums& all) {
+  all.area += one.area;
+  all.normal += one.normal;
+  all.friction += one.friction;
+  all.energy += one.energy;
+  all.friction_work += one.friction_work;
+  all.damping_work += one.damping_work;
+  all.depth = std::max(all.depth, one.depth);
+  all.pressure = std::max(all.pressure, one.pressure);
+  all.outside = std::max(all.outside, one.outside);
+}
+
+double table_value(const EvenTable& table, double x) {
+  const double along = x * table.per_unit, inside = std::min(along, static_cast<double>(table.intervals));
+  const int left = std::min(static_cast<int>(inside), table.intervals - 1);
+  const double low = table.value[left], high = table.value[left + 1];
+  return low + (high - low) * (inside - left) + table.last_slope * (along - inside);
+}
+
+}  // namespace
+
+PlyPassState::PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency)
+    : own_(own),
+      other_(other),
+      law_(law),
+      frequency_(frequency),
+      touch_(law.adhesion),
+      far_(own.blocks().size(), nothing),
+      clear_(own.blocks().size(), 0),
+      measured_(own.blocks().size(), 0),
+      off_(own.blocks().size(), 0),
+      triangles_(own.blocks().size(), 0),
+      sums_(own.blocks().size()) {}
+
+std::vector<Doubles*> PlyPassState::numbers() {
+  return {&stiffness_, &on_quads_,  &place_[0],  &place_[1], &anchor_[0],
+          &anchor_[1], &origin_[0], &origin_[1], &depth_,    &path_};
+}
+
+void PlyPassState::wake() {
+  const auto count = static_cast<std::size_t>(own_.lanes());
+  facet_.assign(count, -1);
+  origin_facet_.assign(count, -1);
+  corner_.assign(count, 0);
+  for (auto* list : numbers()) list->assign(count, 0.0);
+  for (auto& list : drag_) list.assign(count, 0.0);
+}
+
+void PlyPassState::forget() {
+  facet_ = origin_facet_ = {};
+  corner_ = {};
+  for (auto* list : numbers()) *list = {};
+  for (auto& list : drag_) list = {};
+}
+
+// The depth at a foot, |r| counted as in ply_kernel.hpp.
+double PlyPassState::depth_at(int lane, const SurfacePlace& place, const Vec3& normal) const {
+  const Vec3 r = minus(own_.position(own_.node_of(lane)), other_.surface().point(place, other_.state().position));
+  const double distance = length(r);
+  return law_.reach - (law_.side * dot(r, normal) >= 0.0 ? distance : -distance);
+}
+
+// From one node to the next the foot moves by about a cell, so that only the first of all is looked for everywhere.
+SurfacePlace PlyPassState::start_of_search(int lane, const SurfacePlace& before) const {
+  const int node = own_.node_of(lane), south = own_.arms(node).arm[2], beside = own_.lane_of(south);
+  if (south < node && beside >= 0 && facet_[beside] >= 0) return place_of(beside);
+  if (before.facet >= 0) return before;
+  return other_.surface().nearest_middle(own_.position(node), other_.state().position);
+}
+
+double PlyPassState::search(std::vector<double>* depths) {
+  wake();
+  if (depths != nullptr) depths->assign(own_.nodes(), nothing);
+  const PlySurface& surface = other_.surface();
+  const auto& position = other_.state().position;
+  double least_gap = std::numeric_limits<double>::infinity();
+  SurfacePlace before;
+  for (std::size_t b = 0; b < own_.blocks().size(); ++b) {
+    const PlyBlock& block = own_.blocks()[b];
+    double deepest = nothing;
+    for (int l = block.at; l < block.at + block.count; ++l) {
+      const int node = own_.node_of(l);
+      const Vec3 x = own_.position(node), normal = own_.normal(node);
+      SurfacePlace place = start_of_search(l, before);
+      if (place.facet < 0) break;  // a surface without cells
+      if (!surface.follow(place, x, normal, position)) {
+        place = surface.nearest_middle(x, position);
+        if (!surface.follow(place, x, normal, position)) continue;
+      }
+      before = place;
+      put(l, place);
+      if (surface.outside(place) > cell_border) continue;
+      const double depth = depth_at(l, place, normal);
+      turn_on(l, place, depth);
+      deepest = std::max(deepest, depth);
+      if (depths != nullptr) (*depths)[node] = depth;
+    }
+    count_off(static_cast<int>(b));
+    least_gap = std::min({least_gap, clearance(static_cast<int>(b), deepest), touch_ - deepest});
+  }
+  return least_gap;
+}
+
+void PlyPassState::count_off(int number) {
+  const PlyBlock& block = own_.blocks()[number];
+  off_[number] = triangles_[number] = 0;
+  for (int l = block.at; l < block.at + block.count; ++l) {
+    if (stiffness_[l] == 0.0)
+      ++off_[number];
+    else if (other_.surface().is_triangle(facet_[l]))
+      ++triangles_[number];
+  }
+}
+
+void PlyPassState::put(int lane, const SurfacePlace& place) {
+  facet_[lane] = place.facet;
+  place_[0][lane] = place.xi;
+  place_[1][lane] = place.eta;
+}
+
+void PlyPassState::set_corner(int lane) {
+  const bool on_quad = stiffness_[lane] > 0.0 && !other_.surface().is_triangle(facet_[lane]);
+  on_quads_[lane] = on_quad ? stiffness_[lane] : 0.0;
+  corner_[lane] = on_quad ? facet_[lane] : 0;
+}
+
+void PlyPassState::turn_on(int lane, const SurfacePlace& place, double depth) {
+  put(lane, place);
+  anchor_[0][lane] = place.xi;
+  anchor_[1][lane] = place.eta;
+  depth_[lane] = depth;
+  for (auto& drag : drag_) drag[lane] = 0.0;
+  stiffness_[lane] =
+      node_stiffness(own_.touching(), other_.touching(), frequency_, own_.mass()[lane], own_.area()[lane]);
+  set_corner(lane);
+  if (origin_facet_[lane] >= 0) return;
+  origin_facet_[lane] = place.facet;
+  origin_[0][lane] = place.xi;
+  origin_[1][lane] = place.eta;
+}
+
+void PlyPassState::turn_off(int lane) {
+  stiffness_[lane] = 0.0;
+  for (auto& drag : drag_) drag[lane] = 0.0;
+  set_corner(lane);
+}
+
+PlyPassNodes PlyPassState::nodes_of(int number, const BlockFrame& frame) {
+  const PlyBlock& block = own_.blocks()[number];
+  const int stride = other_.ply().packed().stride;
+  PlyPassNodes nodes{};
+  nodes.count = block.lanes;
+  nodes.stiffness = on_quads_.data() + block.at;
+  nodes.area = own_.area().data() + block.at;
+  nodes.corner = corner_.data() + block.at;
+  nodes.beside[0] = 1;
+  nodes.beside[1] = stride;
+  nodes.beside[2] = stride + 1;
+  nodes.depth = depth_.data() + block.at;
+  nodes.path = path_.data() + block.at;
+  for (int k = 0; k < 2; ++k) {
+    nodes.place[k] = place_[k].data() + block.at;
+    nodes.anchor[k] = anchor_[k].data() + block.at;
+  }
+  for (int c = 0; c < 3; ++c) {
+    nodes.x[c] = frame.x[c];
+    nodes.a[c] = frame.a[c];
+    nodes.b[c] = frame.b[c];
+    nodes.surface[c] = other_.state().position[c].data();
+    nodes.drag[c] = drag_[c].data() + block.at;
+  }
+  return nodes;
+}
+
+void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time, PlyReturn& back) {
+  const PlyBlock& block = own_.blocks()[number];
+  const bool was_clear = clear_[number] != 0;
+  if (was_clear) find_again(number);
+  const bool tidies = (own_.state().step + number) % tidy_every == 0;
+  if (tidies && off_[number] > 0) find_lost(number);
+  const double per_time = was_clear ? 0.0 : inverse_time;
+  const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
+  const PlyLoops& loops = loops_of_plies();
+  const PlyPassNodes nodes = nodes_of(number, frame);
+  PlyPassForces forces;
+  PlyPassSums& sums = sums_[number];
+  sums = (with_tables ? loops.tables : loops.springs)(law_, per_time, nodes, forces);
+  if (sums.depth > touch_) add(nodes, number, block.first, block.count, forces, back);
+  if (triangles_[number] > 0) look_at_triangles(number, frame, per_time, sums, back);
+  measured_[number] = sums.depth > touch_ ? 1 : 0;
+  if (sums.outside > cell_border) move_feet(number, tidies);
+  const double room = measured_[number] != 0 ? 0.0 : clearance(number, sums.depth);
+  clear_[number] = room > 0.0 ? 1 : 0;
+  far_[number] = room > 0.0 ? own_.way + other_.way + room : nothing;
+}
+
+void PlyPassState::look_at_triangles(int number, const BlockFrame& frame, double inverse_time, PlyPassSums& sums,
+                                     PlyReturn& back) {
+  const PlyBlock& block = own_.blocks()[number];
+  const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
+  const PlyLoops& loops = loops_of_plies();
+  const PlyPassNodes all = nodes_of(number, frame);
+  for (int i = 0; i < block.count; ++i) {
+    const int lane = block.at + i;
+    if (stiffness_[lane] == 0.0 || !other_.surface().is_triangle(facet_[lane])) continue;
+    const auto corner = other_.surface().corners(facet_[lane]);
+    PlyPassNodes node = all;
+    node.count = 1;
+    node.stiffness = &stiffness_[lane];
+    node.area += i;
+    const long first_corner = corner[0];
+    node.corner = &first_corner;
+    for (int a = 0; a < 3; ++a) node.beside[a] = corner[a + 1] - corner[0];
+    node.depth += i;
+    node.path += i;
+    for (auto* lists : {&node.place, &node.anchor})
+      for (auto& list : *lists) list += i;
+    for (auto* lists : {&node.x, &node.a, &node.b})
+      for (auto& list : *lists) list += i;
+    for (auto& list : node.drag) list += i;
+    PlyPassForces forces;
+    const PlyPassSums one = (with_tables ? loops.tables : loops.springs)(law_, inverse_time, node, forces);
+    if (one.depth > touch_) add(node, number, block.first + i, 1, forces, back);
+    add_sums(one, sums);
+  }
+}
+
+void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int count, const PlyPassForces& forces,
+                       PlyReturn& back) {
+  if (back.force.empty()) {
+    back.force.assign(4 * static_cast<std::size_t>(other_.nodes()), 0.0);
+    back.touched.assign(static_cast<std::size_t>(other_.nodes()) / ply_segment + 1, 0);
+  }
+  for (int c = 0; c < 3; ++c) {
+    double* into = own_.state().force[c].data() + first;
+    for (int i = 0; i < count; ++i) into[i] += forces.force[c][i];
+  }
+  own_.add_levers(block, first, count, forces.lever);
+  loops_of_plies().give_back(count, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
+}
+
+// Whether the line along the node's normal meets the surface as the kernel wants it, less than 60 degrees off, and not
+// on another side of a fold.
+bool PlyPassState::faces(int lane, const SurfacePlace& place) const {
+  const Vec3 n = own_.normal(own_.node_of(lane));
+  const Frame frame = frame_at(place);
+  const Vec3 m = cross(frame.s1, frame.s2);
+  const double along = dot(m, n);
+  return along > 0.0 && 4.0 * along * along > dot(m, m) * dot(n, n) && depth_at(lane, place, n) < 2.0 * law_.reach;
+}
+
+// A foot that was off, beside the ply or in a fold, comes back where hardly anything happens by that: no deeper than its
+// neighbours' have been pressed. Deeper, a spring that nobody has pressed would push it.
+bool PlyPassState::may_come_back(int lane, const SurfacePlace& place) const {
+  if (!faces(lane, place)) return false;
+  const int node = own_.node_of(lane);
+  double pressed = 0.0;
+  for (const int beside : own_.arms(node).arm)
+    if (const int l = own_.lane_of(beside); l >= 0 && stiffness_[l] > 0.0) pressed = std::max(pressed, depth_[l]);
+  return depth_at(lane, place, own_.normal(node)) < pressed + come_back_part * law_.softening;
+}
+
+// Whether a foot beside the ply still counts as on it.
+bool PlyPassState::holds_on(const SurfacePlace& place) const {
+  return other_.surface().is_triangle(place.facet) ? other_.surface().outside(place) <= triangle_border
+                                                   : other_.surface().away(place) <= ply_border;
+}
+
+// To the next cell at once: on a cell left behind the depth is another, and the step to the next one would come with
+// energy from nowhere. Off the ply, or along its edge, it has time.
+void PlyPassState::move_feet(int number, bool tidies) {
+  const PlySurface& surface = other_.surface();
+  const PlyBlock& block = own_.blocks()[number];
+  for (int l = block.at; l < block.at + block.count; ++l) {
+    if (stiffness_[l] == 0.0) continue;
+    const SurfacePlace now = place_of(l);
+    if (tidies && !faces(l, now)) {
+      turn_off(l);
+      continue;
+    }
+    if (surface.outside(now) <= cell_border) continue;
+    const Vec2 material = surface.material(now);
+    SurfacePlace next = surface.find(material);
+    if (next.facet < 0 && !tidies) continue;
+    if (next.facet < 0) next = surface.near(material);
+    if (next.facet < 0 || !holds_on(next) || surface.away(now) <= surface.away(next)) {
+      if (!holds_on(now)) turn_off(l);
+      continue;  // the nearest already
+    }
+    if (next.facet == now.facet) continue;
+    const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
+    const Vec2 drag = surface.carried_over({drag_[1][l], drag_[2][l]}, now.facet, next.facet);
+    put(l, next);
+    for (std::size_t k = 0; k < 2; ++k) {
+      anchor_[k][l] = place_[k][l] - stretch[k];
+      drag_[k + 1][l] = drag[k];
+    }
+    set_corner(l);
+  }
+  count_off(number);
+}
+
+// After steps without a look feet may be anywhere; nothing is stretched where nothing touched.
+void PlyPassState::find_again(int number) {
+  const PlyBlock& block = own_.blocks()[number];
+  for (int l = block.at; l < block.at + block.count; ++l)
+    if (facet_[l] >= 0) turn_off(l);
+  find_lost(number);
+}
+
+// Feet that are off, from where they left or from where a neighbour's is. First all are found, then those come back that
+// may: none because of another that has only just come.
+void PlyPassState::find_lost(int number) {
+  const PlySurface& surface = other_.surface();
+  const PlyBlock& block = own_.blocks()[number];
+  std::array<int, ply_nodes_at_a_time> back{};
+  int count = 0;
+  for (int l = block.at; l < block.at + block.count; ++l) {
+    if (stiffness_[l] > 0.0) continue;
+    const int node = own_.node_of(l);
+    SurfacePlace place = place_of(l);
+    for (const int beside : own_.arms(node).arm)
+      if (place.facet < 0 && own_.lane_of(beside) >= 0) place = place_of(own_.lane_of(beside));
+    if (place.facet < 0) continue;
+    if (!surface.follow(place, own_.position(node), own_.normal(node), other_.state().position)) continue;
+    put(l, place);
+    if (surface.outside(place) <= cell_border && may_come_back(l, place)) back[count++] = l;
+  }
+  for (int k = 0; k < count; ++k) {
+    const SurfacePlace place = place_of(back[k]);
+    turn_on(back[k], place, depth_at(back[k], place, own_.normal(own_.node_of(back[k]))));
+  }
+  count_off(number);
+}
+
+// mm; how far a block is from touching, of nodes beside the ply how far they are from its edge.
+double PlyPassState::clearance(int number, double depth) const {
+  double room = depth > nothing ? safe_part * (touch_ - depth) : std::numeric_limits<double>::max();
+  if (off_[number] == 0 || room <= 0.0) return std::max(room, 0.0);
+  const PlyBlock& block = own_.blocks()[number];
+  for (int l = block.at; l < block.at + block.count && room > 0.0; ++l) {
+    if (stiffness_[l] > 0.0 || facet_[l] < 0) continue;
+    room = std::min(room, safe_part * other_.touching().spacing * other_.surface().away(place_of(l)));
+  }
+  return std::max(room, 0.0);
+}
+
+PlyPassSums PlyPassState::sums() const {
+  PlyPassSums all;
+  for (std::size_t b = 0; b < sums_.size(); ++b)
+    if (measured_[b] != 0) add_sums(sums_[b], all);
+  return all;
+}
+
+bool PlyPassState::any_clear() const {
+  return std::find(clear_.begin(), clear_.end(), char{1}) != clear_.end();
+}
+
+int PlyPassState::deepest() const {
+  int lane = -1;
+  for (int l = 0; l < own_.lanes(); ++l)
+    if (stiffness_[l] > 0.0 && depth_[l] < 2.0 * law_.reach && (lane < 0 || depth_[l] > depth_[lane])) lane = l;
+  return lane < 0 ? -1 : own_.node_of(lane);
+}
+
+PlyPassState::Frame PlyPassState::frame_at(const SurfacePlace& place) const {
+  const auto node = other_.surface().corners(place.facet);
+  const auto& x = other_.state().position;
+  const double twist = other_.surface().is_triangle(place.facet) ? 0.0 : 1.0;
+  Frame frame{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double e3 = twist * (x[c][node[3]] - x[c][node[1]] - x[c][node[2]] + x[c][node[0]]);
+    frame.s1[c] = x[c][node[1]] - x[c][node[0]] + place.eta * e3;
+    frame.s2[c] = x[c][node[2]] - x[c][node[0]] + place.xi * e3;
+  }
+  return frame;
+}
+
+// A spring between a node and the corners of its foot's cell, K (t - sum v_a t_a)^2 / 2: |K_ij| = K |v_i| |v_j|, with
+// v = N_a at the corners. Along the surface the node's neighbours turn its normal, too: v = |r| over the way between
+// them. Dampers shorten the step like stiffness (contact.cpp).
+void PlyPassState::add_stiffness_bound(double fabric_frequency, double stiffest, Doubles& own_bound,
+                                       Doubles& other_bound) const {
+  const double fastest = std::hypot(fabric_frequency, frequency_);
+  for (int l = 0; l < own_.lanes(); ++l) {
+    if (stiffness_[l] == 0.0) continue;
+    const double damper = law_.damping_time * stiffness_[l] * fastest;
+    const double across = std::max(stiffness_[l], law_.share * own_.area()[l] * stiffest) + damper;
+    const double along = law_.tangential * (stiffness_[l] + damper);
+    const SurfacePlace place = place_of(l);
+    const auto corner = other_.surface().corners(place.facet);
+    const bool triangle = other_.surface().is_triangle(place.facet);
+    const double n3 = triangle ? 0.0 : place.xi * place.eta;
+    const double weight[4] = {std::abs(1.0 - place.xi - place.eta + n3), std::abs(place.xi - n3),
+                              std::abs(place.eta - n3), std::abs(n3)};
+    const auto [a, b] = own_.between_neighbours(own_.node_of(l));
+    const double turned = length(cross(a, b));
+    const double lever[2] = {law_.reach * length(b) / turned, law_.reach * length(a) / turned};
+    const double plain_sum = 1.0 + weight[0] + weight[1] + weight[2] + weight[3];
+    const double turning_sum = plain_sum + 2.0 * (lever[0] + lever[1]);
+    const double one = std::max(across * plain_sum, along * turning_sum);
+    own_bound[own_.node_of(l)] += one;
+    for (std::size_t k = 0; k < 4; ++k) {
+      own_bound[own_.arms(own_.node_of(l)).arm[k]] += along * lever[k / 2] * turning_sum;
+      other_bound[corner[k]] += weight[k] * one;
+    }
+  }
+}
+
+// The place where the node is now, from that of the material it lay on at first.
+Vec3 PlyPassState::slip(int lane) const {
+  if (stiffness_[lane] == 0.0 || origin_facet_[lane] < 0) return {0.0, 0.0, 0.0};
+  const auto& position = other_.state().position;
+  return minus(other_.surface().point(place_of(lane), position),
+               other_.surface().point({origin_facet_[lane], origin_[0][lane], origin_[1][lane]}, position));
+}
+
+// The kernel's forces once more, from what it left: the stretch after the cut, and the dampers' share.
+PlyPassState::Press PlyPassState::press(int lane) const {
+  Press press;
+  const double k = stiffness_[lane], depth = depth_[lane], area = law_.share * own_.area()[lane];
+  if (k == 0.0 || !(depth > touch_) || depth >= 2.0 * law_.reach) return press;
+  const double pressed = std::max(depth, 0.0), soft = std::min(pressed, law_.softening);
+  const double elastic = law_.pressure.intervals > 0 ? area * table_value(law_.pressure, pressed)
+                                                     : k * soft / law_.softening * (pressed - 0.5 * soft);
+  press.normal = std::max(elastic + drag_[0][lane], 0.0);
+  const Frame frame = frame_at(place_of(lane));
+  const double kt = law_.tangential * k;
+  const Vec3 along = plus(scaled(frame.s1, kt * (place_[0][lane] - anchor_[0][lane]) - drag_[1][lane]),
+                          scaled(frame.s2, kt * (place_[1][lane] - anchor_[1][lane]) - drag_[2][lane]));
+  press.tangential = length(along);
+  press.pressure = area > 0.0 ? press.normal / area : 0.0;
+  if (!(press.normal > 0.0) && !(press.tangential > 0.0)) return press;
+  constexpr double at_the_limit = 1.0 - 1e-5;  // single precision went into the cut
+  double limit = law_.friction * press.normal;
+  if (law_.shear.intervals > 0) {
+    const double stretch = length(plus(scaled(frame.s1, place_[0][lane] - anchor_[0][lane]),
+                                       scaled(frame.s2, place_[1][lane] - anchor_[1][lane])));
+    limit += area * table_value(law_.shear, path_[lane] + stretch);
+  }
+  press.friction = press.tangential >= at_the_limit * limit ? FrictionState::slip : FrictionState::stick;
+  return press;
+}
+
+void PlyPassState::archive(Archive& archive) {
+  const int facets = other_.surface().facets();
+  archive.indices("a foot's cell", facet_, -1, facets - 1);
+  archive.indices("a first foot's cell", origin_facet_, -1, facets - 1);
+  archive.numbers("a spring between plies", stiffness_, not_negative);
+  for (auto* places : {&place_, &anchor_, &origin_})
+    for (auto& list : *places) archive.numbers("a foot", list);
+  archive.numbers("a depth between plies", depth_);
+  archive.numbers("a slip path", path_, not_negative);
+  for (auto& list : drag_) archive.numbers("a drag between plies", list);
+  archive.numbers("a clearance between plies", far_, infinite_too);
+  std::vector<int> flags;
+  for (std::size_t b = 0; b < clear_.size(); ++b) flags.insert(flags.end(), {clear_[b], measured_[b]});
+  archive.indices("whether a block is clear", flags, 0, 1);
+  for (std::size_t b = 0; b < clear_.size(); ++b) {
+    clear_[b] = static_cast<char>(flags[2 * b]);
+    measured_[b] = static_cast<char>(flags[2 * b + 1]);
+  }
+  for (int l = 0; l < own_.lanes(); ++l) {
+    if (stiffness_[l] > 0.0 && facet_[l] < 0) throw DamagedState{"a spring between plies without a foot"};
+    for (const int facet : {facet_[l], origin_facet_[l]})
+      if (facet >= 0 && !other_.surface().exists(facet)) throw DamagedState{"a foot where there is no cell"};
+    set_corner(l);
+  }
+  for (std::size_t b = 0; b < clear_.size(); ++b) count_off(static_cast<int>(b));
+}
+
+}  // namespace weaveform

@@ -1,0 +1,243 @@
+// A stack of two plies through the program: every answer says which ply it is of, stages and threads and kills change no
+// bit, wrong stacks are refused with their place, and its plies are layers for structural analysis.
+#include "mesher/mesh/stack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "app/stages/checked_model.hpp"
+#include "app/stages/stages.hpp"
+#include "core/error.hpp"
+#include "mesher/mesh/mesh_io.hpp"
+#include "solver/result/result.hpp"
+#include "tests/support/run_command.hpp"
+
+namespace weaveform {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+const std::string two_ply_hemisphere = std::string(WEAVEFORM_SOURCE_DIR) + "/examples/hemisphere_two_plies.toml";
+const std::string stack_settings =
+    " --set blank.coarsening=4 --set tools.punch.travel=25 --set analysis.duration=0.03 --set output.frames=2 --set "
+    "output.history=20 --quiet";
+const std::vector<std::string> stack_files = {"mesh.vtu", "history.csv", "contours.vtp", "frames/frame_0000.vtu",
+                                              "frames/frame_0002.vtu"};
+
+class StackChain : public testing::Test {
+protected:
+  void run(const std::string& command) const {
+    const CommandResult result = run_command(command, folder_.path());
+    EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;
+  }
+  // What a scene that is refused says; it must end with `exit_code`.
+  [[nodiscard]] std::string refused(const std::string& scene, int exit_code = 2) const {
+    write_text(scene, folder_.path() / "wrong.toml");
+    const CommandResult result = run_command("weaveform check wrong.toml", folder_.path());
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    return result.err;
+  }
+  void expect_same(const std::string& one, const std::string& other) const {
+    for (const std::string& name : stack_files)
+      EXPECT_TRUE(read_text(folder_.path() / one / name) == read_text(folder_.path() / other / name)) << name;
+  }
+  [[nodiscard]] nlohmann::json summary(const std::string& of) const {
+    return nlohmann::json::parse(read_text(folder_.path() / of / "summary.json"));
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(StackChain, EveryAnswerSaysOfWhichPlyItIs) {
+  run("weaveform run " + two_ply_hemisphere + " --output one" + stack_settings);
+  const nlohmann::json answers = summary("one");
+  EXPECT_EQ(answers.at("symmetry"), "quarter");
+  int cells = 0;
+  for (const char* ply : {"lower", "upper"}) {
+    const auto& of = answers.at("plies").at(ply);
+    cells += of.at("cells").get<int>();
+    EXPECT_GT(of.at("max_shear_angle_deg").get<double>(), 5.0) << ply;
+    EXPECT_GT(of.at("forming").at("draw_in_mm").at("largest").get<double>(), 1.0) << ply;
+    EXPECT_TRUE(fs::exists(folder_.path() / "one/plies" / ply / "outline.csv")) << ply;
+  }
+  EXPECT_EQ(answers.at("cells"), cells);
+  const auto& pair = answers.at("pairs").at("lower/upper");
+  EXPECT_GT(pair.at("max_slip_mm").get<double>(), pair.at("mean_slip_mm").get<double>());
+  EXPECT_GT(pair.at("mean_slip_mm").get<double>(), 0.5);
+  EXPECT_GT(pair.at("friction_work_mJ").get<double>(), 0.0);
+  EXPECT_LT(pair.at("max_penetration_mm").get<double>(), 0.25) << "half of a thickness";
+  // the binder's force goes through the upper ply into the lower one, and with the punch's into the die
+  const double binder = answers.at("tools").at("binder").at("force_N"),
+               punch = answers.at("tools").at("punch").at("force_N");
+  EXPECT_NEAR(pair.at("force_N").get<double>(), binder + punch, 0.1 * (binder + punch));
+  EXPECT_NEAR(answers.at("tools").at("die").at("force_N").get<double>(), binder + punch, 0.03 * (binder + punch));
+
+  const Mesh mesh = read_mesh(folder_.path() / "one/mesh.vtu");
+  ASSERT_EQ(mesh.ply.size(), 2U);
+  const fs::path frame = folder_.path() / "one/frames/frame_0002.vtu";
+  const auto slip = read_frame_array(frame, "slip_mm"), path = read_frame_array(frame, "slip_path_mm");
+  ASSERT_EQ(slip.size(), 3 * path.size());
+  ASSERT_EQ(static_cast<int>(path.size()), mesh.node_count());
+  // a way counts while the two touch, where it leads always
+  const double greatest = *std::max_element(path.begin(), path.end());
+  double farthest = 0.0;
+  for (std::size_t n = 0; n < path.size(); ++n)
+    farthest = std::max(farthest, std::hypot(slip[3 * n], slip[3 * n + 1], slip[3 * n + 2]));
+  EXPECT_GT(farthest, 0.5 * greatest);
+  EXPECT_NEAR(greatest, pair.at("max_slip_mm").get<double>(), 0.05 * greatest);
+  const auto of_elements = read_frame_array(frame, "ply");
+  EXPECT_EQ(std::set<double>(of_elements.begin(), of_elements.end()), (std::set<double>{0.0, 1.0}));
+  EXPECT_EQ(static_cast<int>(of_elements.size()), mesh.yarn_count() + mesh.cells.size());
+  const auto of_cells = ply_of_cells(mesh);
+  for (int c = 0; c < mesh.cells.size(); ++c) EXPECT_EQ(of_elements[mesh.yarn_count() + c], of_cells[c]);
+
+  const History history = read_history(folder_.path() / "one/history.csv");
+  for (const char* column : {"lower.max_shear_angle_deg", "upper.max_shear_angle_deg", "lower/upper.force_N",
+                             "lower/upper.slip_mm", "lower/upper.friction_work_mJ"})
+    EXPECT_GT(history.values(column).back(), 0.0) << column;
+}
+
+TEST_F(StackChain, StagesAndThreadsChangeNoBit) {
+  run("weaveform run " + two_ply_hemisphere + " --output one --threads 1" + stack_settings);
+  run("weaveform mesh " + two_ply_hemisphere + " --output staged" + stack_settings);
+  run("weaveform solve staged --threads 3 --quiet");
+  run("weaveform post staged --quiet");
+  expect_same("one", "staged");
+}
+
+// Yarns at 45 deg to the planes are mirrored from one family onto the other, and touch there as in the whole.
+TEST_F(StackChain, AQuarterIsTheWhole) {
+  const std::string slow =
+      " --set blank.coarsening=4 --set tools.punch.travel=15 --set analysis.duration=0.08 --set output.frames=2 --set "
+      "output.history=20 --quiet";
+  run("weaveform run " + two_ply_hemisphere + " --output quarter" + slow);
+  run("weaveform run " + two_ply_hemisphere + " --output whole --set model.symmetry=none" + slow);
+  EXPECT_EQ(summary("whole").at("symmetry"), "none");
+  const fs::path quarter = folder_.path() / "quarter/frames/frame_0002.vtu",
+                 whole = folder_.path() / "whole/frames/frame_0002.vtu";
+  const auto one = read_frame_positions(quarter), other = read_frame_positions(whole);
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t n = 0; n < one.size(); ++n)
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(one[n][c], other[n][c], 0.1) << n;
+  const auto touches = read_frame_array(quarter, "other_ply"), all = read_frame_array(whole, "other_ply");
+  int differ = 0;
+  for (std::size_t n = 0; n < touches.size(); ++n) differ += touches[n] != all[n] ? 1 : 0;
+  EXPECT_LE(differ, 4);
+  const nlohmann::json a = summary("quarter").at("pairs").at("lower/upper"),
+                       b = summary("whole").at("pairs").at("lower/upper");
+  for (const char* name : {"contact_area_mm2", "force_N", "mean_slip_mm", "friction_work_mJ"})
+    EXPECT_NEAR(a.at(name).get<double>(), b.at(name).get<double>(), 0.02 * b.at(name).get<double>()) << name;
+}
+
+TEST_F(StackChain, AStoppedRunGoesOnToTheSameBits) {
+  const std::vector<std::string> quick = {"blank.coarsening=4", "tools.punch.travel=25", "analysis.duration=0.03",
+                                          "output.frames=2", "output.history=20"};
+  const auto solved = [&](const std::string& to, SolveOptions how) {
+    how.quiet = true;
+    if (how.resume) {
+      ResultFolder there(folder_.path() / to);
+      solve_folder(there, how, {}, true);
+      return;
+    }
+    ResultFolder made =
+        write_model(checked_model(two_ply_hemisphere, quick, true, Look::for_first_complaint), folder_.path() / to, {});
+    solve_folder(made, how, {}, true);
+  };
+  fs::create_directories(folder_.path() / "whole");
+  fs::create_directories(folder_.path() / "stopped");
+  solved("whole", {.threads = 1});
+  const long steps = read_statistics(folder_.path() / "whole/solve.json").steps;
+  EXPECT_THROW(solved("stopped", {.threads = 1, .stop_at_step = 1}), Interrupted);
+  for (const long step : {2L, steps / 3, steps / 3 + 1, steps / 2, 9 * steps / 10})
+    EXPECT_THROW(solved("stopped", {.threads = step % 2 == 0 ? 1 : 2, .resume = true, .stop_at_step = step}),
+                 Interrupted);
+  solved("stopped", {.threads = 1, .resume = true});
+  for (const char* name : {"history.csv", "frames/frame_0001.vtu", "frames/frame_0002.vtu"})
+    EXPECT_TRUE(read_text(folder_.path() / "whole" / name) == read_text(folder_.path() / "stopped" / name)) << name;
+}
+
+const std::string stack_blank = "[blank]\nsize = [100, 100]\nyarn_angle = 0\ncoarsening = 4\n";
+const std::string stack_plies = "[[ply]]\nname = \"lower\"\n[[ply]]\nname = \"upper\"\nyarn_angle = 45\n";
+const std::string stack_pull =
+    "[[grip]]\nname = \"pull\"\nedge = \"top\"\ntravel = 1\n[[grip]]\nname = \"hold\"\nedge = \"bottom\"\n";
+
+TEST_F(StackChain, WrongStacksAreRefusedWithTheirPlace) {
+  const std::string inside = refused(stack_blank + stack_plies + "position = [0, 0, 0.1]\n" + stack_pull);
+  EXPECT_TRUE(says(inside, "lower") && says(inside, "upper") && says(inside, "mm")) << inside;
+  EXPECT_TRUE(says(refused(stack_blank + stack_plies + "[stack]\nfrction = 1\n"),
+                   "wrong.toml:11:1: unknown key 'frction' in [stack]"));
+  EXPECT_TRUE(says(refused(stack_blank + stack_plies + "[stack]\nfriction_law = \"none.csv\"\n" + stack_pull, 4),
+                   "wrong.toml: stack.friction_law: "));
+  write_text("0,0\n0,1\n", folder_.path() / "law.csv");
+  EXPECT_TRUE(says(refused(stack_blank + stack_plies + "[stack]\nfriction_law = \"law.csv\"\n" + stack_pull),
+                   "law.csv:2: the slip is 0 after 0"));
+  const std::string cards = refused(stack_blank + stack_plies + "material = \"none.toml\"\n" + stack_pull, 4);
+  EXPECT_TRUE(says(cards, "ply 'upper'")) << cards;
+  EXPECT_TRUE(says(refused(stack_blank + stack_plies + "[frame]\n"), "a shear frame holds one ply"));
+}
+
+TEST_F(StackChain, CheckAndPlanSpeakOfEveryPly) {
+  write_text(stack_blank + stack_plies + "coarsening = 3\n" + stack_pull, folder_.path() / "s.toml");
+  const CommandResult check = run_command("weaveform check s.toml --json --resolved", folder_.path());
+  ASSERT_EQ(check.exit_code, 0) << check.err;
+  const auto json = nlohmann::json::parse(check.out);
+  EXPECT_EQ(json.at("mesh").at("plies").size(), 2U);
+  EXPECT_EQ(json.at("resolved").at("ply").at("upper").at("mesh").at("coarsening").size(), 2U);
+  EXPECT_EQ(json.at("scene").at("ply").size(), 2U);
+  run("weaveform check s.toml > echo.toml && weaveform check echo.toml > again.toml && cmp echo.toml again.toml");
+  const CommandResult plan = run_command("weaveform mesh s.toml --plan --json", folder_.path());
+  ASSERT_EQ(plan.exit_code, 0) << plan.err;
+  const auto rows = nlohmann::json::parse(plan.out);
+  const auto& own =
+      *std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row["coarsening_factor"] == 1.0; });
+  EXPECT_EQ(own.at("cells"), json.at("mesh").at("cells"));
+  EXPECT_EQ(own.at("plies").size(), 2U);
+}
+
+TEST_F(StackChain, AStudyVariesAPlyAndItsMeasures) {
+  write_text("scene = \"" + two_ply_hemisphere +
+                 "\"\nmeasures = [\"plies.upper.max_shear_angle_deg\", \"pairs.lower/upper.mean_slip_mm\"]\n[set]\n"
+                 "\"blank.coarsening\" = 4\n\"tools.punch.travel\" = 15\n\"analysis.duration\" = "
+                 "0.02\n\"output.frames\" = 1\n[grid]\n"
+                 "\"ply.upper.yarn_angle\" = [45, 30]\n",
+             folder_.path() / "study.toml");
+  const CommandResult result = run_command("weaveform study study.toml --output study --quiet", folder_.path());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+// Plies that do not touch know nothing of each other: each has the bits of its run alone, and their grip feels both.
+TEST_F(StackChain, PliesApartAreTheirRunsAloneAndAGripFeelsAllItHolds) {
+  write_text(stack_blank + stack_pull, folder_.path() / "alone.toml");
+  write_text(stack_blank + "[stack]\ngap = 5\n[[ply]]\nname = \"a\"\n[[ply]]\nname = \"b\"\n" + stack_pull,
+             folder_.path() / "stack.toml");
+  run("weaveform run alone.toml --output alone --quiet --set output.frames=1 --threads 1");
+  run("weaveform run stack.toml --output stack --quiet --set output.frames=1 --threads 1");
+  const auto alone = read_frame_positions(folder_.path() / "alone/frames/frame_0001.vtu"),
+             stack = read_frame_positions(folder_.path() / "stack/frames/frame_0001.vtu");
+  ASSERT_EQ(stack.size(), 2 * alone.size());
+  for (std::size_t n = 0; n < alone.size(); ++n) {
+    EXPECT_EQ(stack[n], alone[n]);
+    for (const std::size_t c : {0U, 1U}) EXPECT_EQ(stack[alone.size() + n][c], alone[n][c]);
+  }
+  const double one = read_history(folder_.path() / "alone/history.csv").values("pull.force_N").back(),
+               two = read_history(folder_.path() / "stack/history.csv").values("pull.force_N").back();
+  EXPECT_NEAR(two, 2.0 * one, 1e-9 * std::abs(two));
+}
+
+TEST_F(StackChain, ARunOfOnePlyInAStackIsThatPlysRun) {
+  write_text(stack_blank + stack_pull, folder_.path() / "alone.toml");
+  write_text(stack_blank + "[[ply]]\nname = \"only\"\n" + stack_pull, folder_.path() / "stack.toml");
+  run("weaveform run alone.toml --output alone --quiet --set output.frames=1 --threads 1");
+  run("weaveform run stack.toml --output stack --quiet --set output.frames=1 --threads 1");
+  EXPECT_EQ(read_frame_positions(folder_.path() / "alone/frames/frame_0001.vtu"),
+            read_frame_positions(folder_.path() / "stack/frames/frame_0001.vtu"));
+}
+
+}  // namespace
+}  // namespace weaveform
