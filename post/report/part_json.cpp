@@ -179,6 +179,12 @@ std::string packed_plies(const ShownPart& part, const Mesh& mesh) {
   return base64(numbers);
 }
 
+Json ply_names(const Scene& scene) {
+  Json names = Json::array();
+  for (const PlySpec& ply : scene.ply) names.push_back(ply.name);
+  return names;
+}
+
 // Wrinkles are found in the last frame alone; `relief_of_nodes` of all plies.
 void add_wrinkles(std::vector<Track>& track, const ShownPart& part, const Forming& forming,
                   const std::vector<double>& relief_of_nodes, std::size_t frames) {
@@ -361,6 +367,7 @@ PartPage part_json(ResultFolder& folder, const Summary& summary, std::size_t mos
                {"cells", packed_cells(part)},
                {"cell_numbers", cell_numbers(part, end.shear_angle)},
                {"plies", model.ply.empty() ? Json() : Json(packed_plies(part, mesh))},
+               {"ply_names", ply_names(model.scene)},
                {"yarns", {{"warp", packed_yarns(part.yarn[0])}, {"weft", packed_yarns(part.yarn[1])}}},
                {"position", {{"origin", origin}, {"step", step}}}};
   page.json["fields"] = Json::array();

@@ -30,7 +30,7 @@ def two_plies():
         "format": 1, "kind": "result", "title": "two plies", "subtitle": "",
         "verdict": {"headline": "By hand.", "rows": [{"name": "<b>x</b>", "value": "1", "note": "", "cell": 1}], "warnings": [], "trust": []},
         "part": {
-            "node_count": 8, "cell_count": 2, "thinned": "", "cells": coded("I", range(8)), "plies": coded("B", [0, 1]),
+            "node_count": 8, "cell_count": 2, "thinned": "", "cells": coded("I", range(8)), "plies": coded("B", [0, 1]), "ply_names": ["lower", "upper"],
             "yarns": {"warp": coded("I", [0, 1, 4, 5]), "weft": coded("I", [1, 2])},
             "position": {"origin": [0, 0, 0], "step": 1.0},
             "fields": [
@@ -64,12 +64,12 @@ def test_the_ray_meets_the_upper_ply_and_with_it_hidden_the_lower(opened, tmp_pa
     page.mouse_to(place, click=True)
     assert page.script("report.picked().cell") == 1
     assert "no value" not in page.text(".pick") and "–" in page.text(".pick"), "no shear angle there"
-    [label] = [each for each in page.browser.find_elements("css selector", "[aria-label=Plies] label") if each.text.strip() == "2"]
+    [label] = [each for each in page.browser.find_elements("css selector", "[aria-label=Plies] label") if each.text.strip() == "upper"]
     label.click()
     page.show(".canvas-box")
     page.mouse_to(page.script("report.cellOnScreen(0)"), click=True)
     picked = page.script("report.picked()")
-    assert (picked["cell"], picked["ply"]) == (0, 1)
+    assert (picked["cell"], picked["ply"]) == (0, "lower")
     assert picked["centre"] == pytest.approx([50, 50, 0])
     assert [value["text"] for value in picked["values"]] == ["0°", "−2 mm", "sticks"]
     assert page.complaints() == []

@@ -57,7 +57,7 @@ export function makeControls({ model, tool_names, state }, actions) {
     tool_names.length > 0 &&
       group('Tools', tool_names.map((name) => check(boxes, name, () => state.tools.has(name), (on) => actions.set({ tools: withMember(state.tools, name, on) })))),
     model.plies.length > 1 &&
-      group('Plies', model.plies.map((ply) => check(boxes, String(ply + 1), () => !state.hidden_plies.has(ply), (on) => actions.set({ hidden_plies: withMember(state.hidden_plies, ply, !on) })))),
+      group('Plies', model.plies.map((ply) => check(boxes, model.plyName(ply), () => !state.hidden_plies.has(ply), (on) => actions.set({ hidden_plies: withMember(state.hidden_plies, ply, !on) })))),
   );
   return {
     element,

@@ -3,7 +3,7 @@ import { checkIndices, DataError, decode, positionsOf, valuesOf } from '../data.
 
 /**
  * From the "part" of the data: {node_count, cell_count, cells (4 nodes each), numberOf(cell) as the mesh counts and
- * cellOf(number), the first that is drawn of it or -1, cell_plies (or null), plies (sorted), yarns
+ * cellOf(number), the first that is drawn of it or -1, cell_plies (or null), plies (sorted), plyName(ply), yarns
  * {warp, weft}, fields, frames [{label}], positions(frame), values(field, frame)}. Throws DataError.
  */
 export function makeModel(part) {
@@ -46,6 +46,7 @@ export function makeModel(part) {
     numberOf: (cell) => (numbers ? numbers[cell] : cell),
     cellOf: (number) => (numbers ? numbers.indexOf(number) : number),
     cell_plies,
+    plyName: (ply) => part.ply_names?.[ply] ?? String(ply + 1),
     plies: cell_plies ? [...new Set(cell_plies)].sort((a, b) => a - b) : [],
     yarns,
     fields: part.fields ?? [],

@@ -25,7 +25,7 @@ export function describeCell(model, cell, frame) {
   return {
     cell,
     number: model.numberOf(cell),
-    ply: model.cell_plies ? model.cell_plies[cell] + 1 : null,
+    ply: model.cell_plies ? model.plyName(model.cell_plies[cell]) : null,
     centre: centreOf(model.cells, model.positions(frame), cell),
     values: model.fields.map((field) => {
       const value = valueInCell(model, field, frame, cell);
@@ -46,7 +46,7 @@ export function drawPick(element, model, { picked, frame }, forget) {
   element.append(
     h('div', { class: 'pick-title' }, h('strong', {}, `Cell ${number}`), h('button', { type: 'button', class: 'no-print', onclick: forget, 'aria-label': 'forget the cell' }, '×')),
     h('table', {}, h('tbody', {},
-      ply !== null && model.plies.length > 1 && row('ply', String(ply)),
+      ply !== null && model.plies.length > 1 && row('ply', ply),
       row('centre (mm)', centre.map((x) => numberText(Number(x.toFixed(2)))).join(', ')),
       values.map(({ title, text }) => row(title, text)))),
   );
