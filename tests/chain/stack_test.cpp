@@ -211,6 +211,36 @@ TEST_F(StackChain, AStudyVariesAPlyAndItsMeasures) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
+// What the camera sees is one ply, by its own yarns and in its own blank's frame.
+TEST_F(StackChain, ACameraSeesThePlyItIsToldOrTheHighest) {
+  write_text("[blank]\nsize = [100, 200]\nyarn_angle = 45\ncoarsening = 4\n[[ply]]\nname = \"back\"\n[[ply]]\nname = "
+             "\"front\"\nyarn_angle = 30\n" +
+                 stack_pull + "[analysis]\nduration = 0.1\n[output]\nframes = 2\nhistory = 20\n",
+             folder_.path() / "s.toml");
+  run("weaveform run s.toml --output done --quiet --set grip.pull.travel=10");
+  for (const char* ply : {"back", "front"}) {
+    const std::string name = ply;
+    run("weaveform post virtual done --set instrument.facet_size=4 --set instrument.step=4 --set instrument.ply=" + name +
+        " --output seen_" + name + " --quiet");
+    run("weaveform post compare done seen_" + name + "/stages --settings seen_" + name + "/settings.toml --output compared_" +
+        name + " --quiet");
+    const auto compared = nlohmann::json::parse(read_text(folder_.path() / ("compared_" + name) / "comparison.json"));
+    EXPECT_EQ(compared.at("instrument").at("ply"), name);
+    EXPECT_LT(std::abs(compared.at("stages").back().at("all").at("difference_deg").at("mean").get<double>()), 0.05);
+  }
+  const CommandResult other =
+      run_command("weaveform post virtual done --set instrument.ply=bakc --output none --quiet", folder_.path());
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(says(other, "did you mean 'back'?")) << other.err;
+}
+
+TEST_F(StackChain, AReportShowsSlipAndHidesPlies) {
+  run("weaveform run " + two_ply_hemisphere + " --output one --report" + stack_settings);
+  const std::string page = read_text(folder_.path() / "one/report.html");
+  for (const char* what : {"\"slip_path\"", "\"ply_pressure\"", "slip of upper on lower", "\"plies\":\"", "ply lower"})
+    EXPECT_TRUE(says(page, what)) << what;
+}
+
 // Plies that do not touch know nothing of each other: each has the bits of its run alone, and their grip feels both.
 TEST_F(StackChain, PliesApartAreTheirRunsAloneAndAGripFeelsAllItHolds) {
   write_text(stack_blank + stack_pull, folder_.path() / "alone.toml");
