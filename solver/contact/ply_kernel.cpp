@@ -309,6 +309,11 @@ PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPass
           .outside = outside};
 }
 
+void add(int count, const double* more, double* into) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) into[i] += more[i];
+}
+
 void way(int count, const double* from, const double* to, double* between) {
 #pragma omp simd
   for (int i = 0; i < count; ++i) between[i] = to[i] - from[i];
@@ -364,6 +369,7 @@ double speed(int count, const double* const (&v)[3]) {
 extern const PlyLoops ply_loops;
 const PlyLoops ply_loops = {.springs = pass<false>,
                             .tables = pass<true>,
+                            .add = add,
                             .way = way,
                             .lever = lever,
                             .give_back = give_back,

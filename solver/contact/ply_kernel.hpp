@@ -103,6 +103,9 @@ inline constexpr int ply_segment = 64;
 using PlyGiveBack = void(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
                          double* into, char* touched);
 
+// into[i] += more[i].
+using PlyAdd = void(int count, const double* more, double* into);
+
 // way[i] = to[i] - from[i].
 using PlyWay = void(int count, const double* from, const double* to, double* way);
 
@@ -118,6 +121,7 @@ using PlySpeed = double(int count, const double* const (&v)[3]);
 struct PlyLoops {
   PlyPass* springs;  // Coulomb, springs
   PlyPass* tables;   // with tables of shear or pressure, either or both
+  PlyAdd* add;
   PlyWay* way;
   PlyLever* lever;
   PlyGiveBack* give_back;

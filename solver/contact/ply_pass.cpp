@@ -10,7 +10,8 @@ namespace {
 constexpr double cell_border = 1e-6;  // of a cell: a foot goes on to the next one when it is so far out
 // Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
 constexpr double ply_border = 0.3, triangle_border = 0.05;
-constexpr int tidy_every = 8;           // steps; from one look at feet that have left the ply to the next
+constexpr double beside_the_ply = 0.02;  // of a cell: no foot goes so far out of its cell in a step
+constexpr int tidy_every = 8;            // steps; from one look at feet that have left the ply to the next
 constexpr double safe_part = 0.5;       // of a measured clearance: distances along normals are not quite the least ones
 constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
 constexpr double nothing = -std::numeric_limits<double>::infinity();
@@ -248,10 +249,7 @@ void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int coun
     back.force.assign(4 * static_cast<std::size_t>(other_.nodes()), 0.0);
     back.touched.assign(static_cast<std::size_t>(other_.nodes()) / ply_segment + 1, 0);
   }
-  for (int c = 0; c < 3; ++c) {
-    double* into = own_.state().force[c].data() + first;
-    for (int i = 0; i < count; ++i) into[i] += forces.force[c][i];
-  }
+  for (int c = 0; c < 3; ++c) loops_of_plies().add(count, forces.force[c], own_.state().force[c].data() + first);
   own_.add_levers(block, first, count, forces.lever);
   loops_of_plies().give_back(count, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
 }
@@ -295,14 +293,18 @@ void PlyPassState::move_feet(int number, bool tidies) {
       turn_off(l);
       continue;
     }
-    if (surface.outside(now) <= cell_border) continue;
+    // far out it has been beside the ply for some time
+    const double out = surface.outside(now);
+    if (out <= cell_border || (!tidies && out > beside_the_ply)) continue;
     const Vec2 material = surface.material(now);
     SurfacePlace next = surface.find(material);
-    if (next.facet < 0 && !tidies) continue;
-    if (next.facet < 0) next = surface.near(material);
-    if (next.facet < 0 || !holds_on(next) || surface.away(now) <= surface.away(next)) {
-      if (!holds_on(now)) turn_off(l);
-      continue;  // the nearest already
+    if (next.facet < 0) {
+      if (!tidies) continue;
+      next = surface.near(material);
+      if (next.facet < 0 || !holds_on(next) || surface.away(now) <= surface.away(next)) {
+        if (!holds_on(now)) turn_off(l);
+        continue;  // the nearest already
+      }
     }
     if (next.facet == now.facet) continue;
     const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
