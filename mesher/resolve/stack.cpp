@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <limits>
 
 #include "core/error.hpp"
 #include "mesher/drape/drape.hpp"
@@ -124,23 +126,68 @@ void give_tools(Resolved& model) {
   }
 }
 
-// Each ply's net lies on those that are nearer to the tool.
+// mm; from the tool: how near and how far a draped ply comes with its nodes and the middles of its cells, which are
+// chords of the tool.
+struct Standing {
+  double least = std::numeric_limits<double>::infinity(), greatest = -std::numeric_limits<double>::infinity();
+};
+
+Standing standing_of(const Tool& tool, const Mesh& mesh) {
+  Standing found;
+  int hint = 0;
+  const auto look = [&](const std::array<double, 3>& x) {
+    Distances here;
+    tool_distances(tool, tool.start, {x.data(), &x[1], &x[2]}, 1, &hint, here);
+    found.least = std::min(found.least, here.distance[0]);
+    found.greatest = std::max(found.greatest, here.distance[0]);
+  };
+  for (const auto& x : mesh.nodes.position) look(x);
+  for (int c = 0; c < mesh.cells.size(); ++c) look(cell_centre(mesh.cells, c, mesh.nodes.position));
+  return found;
+}
+
+const Tool& draped_tool(const std::vector<Tool>& tools, const std::string& name) {
+  return *std::find_if(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.name == name; });
+}
+
+bool is_there(const std::vector<Tool>& tools, const std::string& name) {
+  return std::any_of(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.name == name; });
+}
+
+Mesh draped_at(const Resolved& ply, double off) {
+  std::vector<Tool> tools = ply.tools;
+  for (Tool& tool : tools)
+    if (tool.name == ply.scene.drape->tool) tool.offset = off;
+  Mesh mesh = ply.mesh;
+  lay_drape(ply.scene, drape_blank(ply.scene, mesh, tools), mesh);
+  return mesh;
+}
+
+// Each ply's net lies on those between it and the tool, as far off as its chords and theirs need not to start inside each
+// other: the way of a chord changes little with the distance, so that a few looks find it.
 void drape_stack(Resolved& model) {
-  const DrapeSpec& drape = *model.scene.drape;
-  const bool from_above = drape.projection[2] <= 0.0;
+  constexpr int looks = 4;
+  constexpr double room = 1e-3;  // of a thickness
+  const std::string& name = model.scene.drape->tool;
+  const bool from_above = model.scene.drape->projection[2] <= 0.0;
   const std::size_t count = model.ply.size();
-  double off = 0.0;  // mm; of this ply's middle plane from the tool
+  double before = 0.0;  // mm; how far the ply before comes from the tool
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t k = from_above ? n : count - 1 - n;
     Resolved& ply = model.ply[k];
-    if (n > 0) off += distance_between(model, from_above ? k - 1 : k);
-    std::vector<Tool> tools = ply.tools;
-    for (Tool& tool : tools) {
-      if (tool.name != drape.tool) continue;
-      if (n == 0) off = tool.offset;
-      tool.offset = off;
+    const double least = n == 0 ? 0.0 : before + distance_between(model, from_above ? k - 1 : k);
+    const double step = room * ply.card.thickness;
+    double off = n == 0 ? draped_tool(ply.tools, name).offset : least;
+    Mesh mesh;
+    of_ply(model, k, [&] { mesh = draped_at(ply, off); });
+    for (int look = 0; look < looks && n > 0; ++look) {
+      const double lacking = least - standing_of(draped_tool(ply.tools, name), mesh).least;
+      if (lacking <= step) break;
+      off += lacking + step;
+      of_ply(model, k, [&] { mesh = draped_at(ply, off); });
     }
-    of_ply(model, k, [&] { lay_drape(ply.scene, drape_blank(ply.scene, ply.mesh, tools), ply.mesh); });
+    ply.mesh = std::move(mesh);
+    before = standing_of(draped_tool(ply.tools, name), ply.mesh).greatest;
   }
   join(model);
 }
@@ -188,7 +235,8 @@ void resolve_stack(Resolved& model, Findings& found, const ResolveChecks& checks
   model.scene.tools = std::move(made);
   give_tools(model);
   if (to == ResolveTo::flat) return;
-  const bool draped = !model.scene.drape || found.attempt([&] { drape_stack(model); });
+  const bool draped = !model.scene.drape ||
+                      (is_there(model.tools, model.scene.drape->tool) && found.attempt([&] { drape_stack(model); }));
   if (!draped || !found.attempt([&] { mirror_stack(model); })) model.mesh = {};  // nothing can be run of it
 }
 

@@ -15,6 +15,7 @@ set(UNIT_POST_SOURCES
   unit/post/output/summary_test.cpp
   unit/post/post_test.cpp
   unit/post/report/report_test.cpp
+  unit/post/transfer/layers_test.cpp
   unit/post/transfer/transfer_test.cpp
   unit/post/trust/advice_keys_test.cpp
   unit/post/trust/trust_tools_test.cpp

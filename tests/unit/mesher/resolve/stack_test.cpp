@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/error.hpp"
 #include "mesher/resolve/resolve.hpp"
 #include "mesher/scene/reader.hpp"
@@ -125,6 +127,23 @@ TEST_F(Stack, AroundItsMeshIsWhatTheSceneLeadsTo) {
   Scene other = model.scene;
   other.ply[1].name = "another";
   EXPECT_THROW((void)resolve_around(other, model.card, model.mesh), InputError);
+}
+
+// Cells are chords of the dome, so that plies a thickness apart at their nodes would be inside each other between them.
+TEST_F(Stack, DrapedPliesLieClearOfEachOther) {
+  const Resolved model = resolved(
+      "[blank]\nsize = [60, 60]\nyarn_angle = 0\ncoarsening = 2\n" + plies +
+      "[tools.dome]\nshape = \"sphere\"\naxis = [0, 0, -1]\nradius = 50\nposition = [0, 0, -50]\n[drape]\ntool = "
+      "\"dome\"\n");
+  const auto height = [](const std::array<double, 3>& x) { return std::hypot(x[0], x[1], x[2] + 50.0) - 50.0; };
+  const Mesh &lower = model.ply[0].mesh, &upper = model.ply[1].mesh;
+  double highest = 0.0, lowest = 1e9;
+  for (const auto& x : lower.nodes.position) highest = std::max(highest, height(x));
+  for (int c = 0; c < upper.cells.size(); ++c)
+    lowest = std::min(lowest, height(cell_centre(upper.cells, c, upper.nodes.position)));
+  EXPECT_GE(lowest - highest, 0.5 * (lower.thickness + upper.thickness) - 1e-3);
+  EXPECT_LE(lowest - highest, 0.5 * (lower.thickness + upper.thickness) + 0.01);
+  test::expect_same_mesh(ply_mesh(model.mesh, 1), upper);
 }
 
 TEST_F(Stack, ComplaintsNameThePly) {
