@@ -212,7 +212,7 @@ TEST(Stack, CapstanOfTwoPlies) {
   double from = 0.0, before = 0.0;
   world.run_to(0.42);
   world.run_to(0.97, [&] {
-    if (++seen % 100 != 0) return;
+    if (++seen % 500 != 0) return;
     const double now = slip();
     if (from == 0.0) from = before = now;
     if (now < before + 0.05 || now > from + inner.mesh.spacing[0]) return;
