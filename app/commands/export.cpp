@@ -184,12 +184,12 @@ FibreField mapped(const ExportArguments& arguments, FibreFormat format, const Fi
   return map_onto(field, structure, onto_of(arguments));
 }
 
-void warn_of_far_shells(const ExportArguments& arguments, const FibreField& field) {
+void warn_of_far_shells(const std::string& onto, const FibreField& field) {
   if (field.far > 0)
     log_warning(
         fmt::format("{}: {} of {} shells lie farther than {:.4g} mm from the formed fabric, the farthest {:.4g} mm; "
                     "they get no direction (--within sets that distance)",
-                    arguments.onto, field.far, field.element.size(), field.within, field.greatest_distance));
+                    onto, field.far, field.element.size(), field.within, field.greatest_distance));
 }
 
 FibreText fibre_text(const ExportArguments& arguments, FibreFormat format, const FibreField& field) {
@@ -233,22 +233,19 @@ FibreText layers_text(const ExportArguments& arguments, FibreFormat format, cons
   return layers_openradioss(layers, version_line());
 }
 
-// All plies of a stack: mapped onto one structural mesh, of which they are the layers, or one after another in a table.
+// All plies of a stack: mapped onto one structural mesh, of which they are the layers, without one onto the lowest ply's
+// own cells; in a table one after another.
 void export_layers(const ExportArguments& arguments, FibreFormat format, ResultFolder& result) {
   if (format == FibreFormat::vtu)
     throw InputError("--format vtu holds the fibres of one ply; say with --ply which, or take csv for all");
-  if (arguments.onto.empty() && format != FibreFormat::csv)
-    throw InputError(
-        fmt::format("--format {} makes the plies of a stack layers of a structural shell: give its mesh with --onto, "
-                    "or one ply with "
-                    "--ply",
-                    arguments.format));
   std::vector<FibreLayer> layers = read_fibre_layers(result);
   if (!arguments.onto.empty())
     for (FibreLayer& layer : layers) {
       layer.field = mapped(arguments, format, layer.field);
-      warn_of_far_shells(arguments, layer.field);
+      warn_of_far_shells("ply '" + layer.ply + "': " + arguments.onto, layer.field);
     }
+  else if (format != FibreFormat::csv)
+    map_onto_lowest(layers);
   const FibreText file = layers_text(arguments, format, layers);
   write_text_whole(arguments.output, file.text);
   log_not_carried(arguments, file.not_carried);
@@ -279,7 +276,7 @@ void export_fibres(const ExportArguments& arguments, FibreFormat format) {
                                            : read_fibre_field(result, ply_asked(arguments, result.model()).value());
   std::vector<std::string> not_carried;
   if (!arguments.onto.empty()) field = mapped(arguments, format, field);
-  warn_of_far_shells(arguments, field);
+  warn_of_far_shells(arguments.onto, field);
   if (format == FibreFormat::vtu) {
     write_fibre_vtu(field, arguments.output);
   } else {

@@ -171,6 +171,15 @@ std::string deck_name(const std::string& name) {
   return out;
 }
 
+void map_onto_lowest(Layers& layers) {
+  const FibreField& lowest = layers.front().field;
+  ForeignMesh shells;
+  shells.file = "the cells of ply '" + layers.front().ply + "'";
+  shells.position = lowest.position;
+  for (const StateElement& element : lowest.element) shells.shells.push_back({element.number, 0, element.node});
+  for (std::size_t k = 1; k < layers.size(); ++k) layers[k].field = map_onto(layers[k].field, shells, {});
+}
+
 std::vector<FibreLayer> read_fibre_layers(ResultFolder& folder) {
   const Resolved& model = folder.model();
   Layers layers;

@@ -15,6 +15,9 @@ struct FibreLayer {
   FibreField field;      // of the same shells as every other layer's
 };
 
+// Each layer on the shells of the lowest ply's own cells, numbered as in read_fibre_field; the lowest as it is.
+void map_onto_lowest(std::vector<FibreLayer>& layers);
+
 // All plies of a solved stack, bottom to top. Throws what read_fibre_field throws.
 [[nodiscard]] std::vector<FibreLayer> read_fibre_layers(ResultFolder& folder);
 

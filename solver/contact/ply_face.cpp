@@ -180,13 +180,11 @@ void PlyFace::clear_levers(int number) {
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k) irregular_lever_[k].fill(0.0);
 }
 
-void PlyFace::add_levers(int number, int first, int count, const double (&lever)[6][ply_nodes_at_a_time]) {
+void PlyFace::add_levers(int number, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]) {
   has_levers_[number] = 1;
   const int stride = ply_.packed().stride;
-  for (std::size_t c = 0; c < 6; ++c) {
-    double* into = lever_[c].data() + stride + first;
-    for (int i = 0; i < count; ++i) into[i] += lever[c][i];
-  }
+  for (std::size_t c = 0; c < 6; ++c)
+    loops_of_plies().add(end - first, lever[c] + first, lever_[c].data() + stride + blocks_[number].first + first);
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k)
     for (std::size_t c = 0; c < 6; ++c) {
       double& there = lever_[c][stride + irregular_[k]];

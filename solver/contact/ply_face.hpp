@@ -57,7 +57,7 @@ public:
   // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are cleared, added to by its passes, and
   // when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
   void clear_levers(int block);
-  void add_levers(int block, int first, int count, const double (&lever)[6][ply_nodes_at_a_time]);
+  void add_levers(int block, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]);
   [[nodiscard]] bool has_levers() const;
   void take_levers(int first, int end);
   void take_irregular_levers();

@@ -45,17 +45,6 @@ struct Common {
   double twist;  // 1, or 0 on triangles
 };
 
-// A node's law is one long chain of results; three short loops over a block keep several nodes in flight, one long loop
-// one at a time. Between the loops:
-struct Feet {
-  alignas(64) double dxi[ply_nodes_at_a_time], deta[ply_nodes_at_a_time];  // way since the step before
-  alignas(64) double s1[3][ply_nodes_at_a_time], s2[3][ply_nodes_at_a_time];
-  alignas(64) double r[3][ply_nodes_at_a_time];                                // S_xi, S_eta, x - y; mm
-  alignas(64) double square[ply_nodes_at_a_time], along[ply_nodes_at_a_time];  // r.r, r.n
-  alignas(64) double meets[ply_nodes_at_a_time];  // 1 where the normals part by less than 45 degrees, 0 from 60 on
-  alignas(64) double normal[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // N; N, T's q
-};
-
 WEAVEFORM_INLINE void normal_of(const PlyPassNodes& nodes, int i, double (&n)[3]) {
   const double a[3] = {nodes.a[0][i], nodes.a[1][i], nodes.a[2][i]},
                b[3] = {nodes.b[0][i], nodes.b[1][i], nodes.b[2][i]};
@@ -65,7 +54,8 @@ WEAVEFORM_INLINE void normal_of(const PlyPassNodes& nodes, int i, double (&n)[3]
 }
 
 // r = dxi S_xi + deta S_eta + s n, by Cramer's rule.
-WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes, Feet& feet, int i) {
+// How far the foot is out of its cell, -1 where nothing acts.
+WEAVEFORM_INLINE double find_foot(double twist, const PlyPassNodes& nodes, PlyFeet& feet, int i) {
   const long corner = nodes.corner[i];
   const double xi = nodes.place[0][i], eta = nodes.place[1][i];
   double e1[3], e2[3], e3[3], n[3], from[3], r[3], s1[3], s2[3];
@@ -78,7 +68,7 @@ WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes,
     from[c] = nodes.x[c][i] - origin[corner];
     e1[c] = first[corner] - origin[corner];
     e2[c] = second[corner] - origin[corner];
-    e3[c] = common.twist * (third[corner] - first[corner] - e2[c]);
+    e3[c] = twist * (third[corner] - first[corner] - e2[c]);
     s1[c] = e1[c] + eta * e3[c];
     s2[c] = e2[c] + xi * e3[c];
     r[c] = from[c] - xi * e1[c] - eta * s2[c];
@@ -116,6 +106,11 @@ WEAVEFORM_INLINE void find_foot(const Common& common, const PlyPassNodes& nodes,
   feet.along[i] = along;
   const double meets = faced < 1.0 ? faced : 1.0;
   feet.meets[i] = determinant > least ? meets : 0.0;
+  const double low = xi_now < eta_now ? xi_now : eta_now, high = xi_now > eta_now ? xi_now : eta_now;
+  const double over = twist > 0.0 ? high - 1.0 : xi_now + eta_now - 1.0;
+  const double out_of_cell = over > -low ? over : -low;
+  const double leaves = feet.meets[i] > 0.0 ? out_of_cell : 1e300;  // so does who has no foot
+  return nodes.stiffness[i] > 0.0 ? leaves : -1.0;
 }
 
 struct Normal {
@@ -144,19 +139,20 @@ WEAVEFORM_INLINE Normal normal_force(const PlyPassLaw& law, const Common& common
 }
 
 struct Contribution {
-  double area, normal, friction, energy, friction_work, damping_work, depth, pressure, outside;
+  double area, normal, friction, energy, friction_work, damping_work, depth, pressure;
 };
 
 template <bool with_tables>
-WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes, Feet& feet,
-                                    PlyPassForces& forces, int i) {
+WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes,
+                                    PlyFeet& feet, PlyPassForces& forces, int i) {
   const double inverse_distance = inverse_root(feet.square[i] + least_square);
   const double guess = feet.square[i] * inverse_distance;
   const double distance = guess + 0.5 * (feet.square[i] - guess * guess) * inverse_distance;
   const double depth = law.reach - (law.side * feet.along[i] >= 0.0 ? distance : -distance);
   // nobody gets there in one step: it is another side of a fold that the line met
-  const double meets = depth < 2.0 * law.reach ? feet.meets[i] : 0.0;
-  const double given = nodes.stiffness[i], k = meets * given, area = meets * law.share * nodes.area[i];
+  const double given = nodes.stiffness[i], there = depth < 2.0 * law.reach ? feet.meets[i] : 0.0;
+  const double meets = given > 0.0 ? there : 0.0;
+  const double k = meets * given, area = meets * law.share * nodes.area[i];
   const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
   const double sinking = depth - nodes.depth[i];  // over the step just made
   const Normal normal = normal_force<with_tables>(law, common, depth, sinking, k, area);
@@ -214,16 +210,11 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   out.damping_work = common.moved * meets * 0.5 * (drag0 + drag_now) * sinking;
   out.depth = k > 0.0 ? depth : -1e300;
   out.pressure = normal.force * inverse_of(area + least_area);
-  const double low = xi < eta ? xi : eta, high = xi > eta ? xi : eta;
-  const double over = common.twist > 0.0 ? high - 1.0 : xi + eta - 1.0;
-  const double out_of_cell = over > -low ? over : -low;
-  const double leaves = k > 0.0 ? out_of_cell : 1e300;  // so does who has no foot
-  out.outside = given > 0.0 ? leaves : -1.0;
   return out;
 }
 
 // F, what the corners take of it, and the couple on the node's neighbours, G_a and G_b.
-WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes, const Feet& feet,
+WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes, const PlyFeet& feet,
                                 PlyPassForces& forces, int i) {
   const double xi = nodes.place[0][i], eta = nodes.place[1][i], q1 = feet.q1[i], q2 = feet.q2[i];
   const double n3 = common.twist * xi * eta, n1 = xi - n3, n2 = eta - n3, n0 = 1.0 - xi - eta + n3;
@@ -268,9 +259,21 @@ WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes,
   forces.lever[5][i] = g[0] * a[1] - g[1] * a[0] + w * (n[0] * b[1] - n[1] * b[0]);
 }
 
+double find_feet(const PlyPassNodes& nodes_given, PlyFeet& feet, int first, int end) {
+  const PlyPassNodes nodes = nodes_given;
+  const double twist = nodes.beside[2] != 0 ? 1.0 : 0.0;  // none of a triangle
+  double outside = -1.0;
+#pragma omp simd reduction(max : outside)
+  for (int i = first; i < end; ++i) {
+    const double one = find_foot(twist, nodes, feet, i);
+    outside = one > outside ? one : outside;
+  }
+  return outside;
+}
+
 template <bool with_tables>
-PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given,
-                 PlyPassForces& forces) {
+PlyPassSums press_all(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given, PlyFeet& feet,
+                      PlyPassForces& forces, int first, int end) {
   const PlyPassLaw law = law_given;
   const PlyPassNodes nodes = nodes_given;
   const Common common = {.inverse_softening = 1.0 / law.softening,
@@ -278,13 +281,10 @@ PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPass
                          .moved = inverse_time > 0.0 ? 1.0 : 0.0,
                          .twist = nodes.beside[2] != 0 ? 1.0 : 0.0};
   double area = 0.0, normal = 0.0, friction = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
-  double depth = -1e300, pressure = 0.0, outside = -1.0;
-  Feet feet;
-#pragma omp simd
-  for (int i = 0; i < nodes.count; ++i) find_foot(common, nodes, feet, i);
+  double depth = -1e300, pressure = 0.0;
 #pragma omp simd reduction(+ : area, normal, friction, energy, friction_work, damping_work) \
-    reduction(max : depth, pressure, outside)
-  for (int i = 0; i < nodes.count; ++i) {
+    reduction(max : depth, pressure)
+  for (int i = first; i < end; ++i) {
     const Contribution one = press<with_tables>(law, common, nodes, feet, forces, i);
     area += one.area;
     normal += one.normal;
@@ -294,10 +294,9 @@ PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPass
     damping_work += one.damping_work;
     depth = one.depth > depth ? one.depth : depth;
     pressure = one.pressure > pressure ? one.pressure : pressure;
-    outside = one.outside > outside ? one.outside : outside;
   }
 #pragma omp simd
-  for (int i = 0; i < nodes.count; ++i) share_out(common, nodes, feet, forces, i);
+  for (int i = first; i < end; ++i) share_out(common, nodes, feet, forces, i);
   return {.area = area,
           .normal = normal,
           .friction = friction,
@@ -305,8 +304,12 @@ PlyPassSums pass(const PlyPassLaw& law_given, double inverse_time, const PlyPass
           .friction_work = friction_work,
           .damping_work = damping_work,
           .depth = depth,
-          .pressure = pressure,
-          .outside = outside};
+          .pressure = pressure};
+}
+
+void add(int count, const double* more, double* into) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) into[i] += more[i];
 }
 
 void way(int count, const double* from, const double* to, double* between) {
@@ -322,10 +325,10 @@ void lever(int count, int stride, const double* lever_a, const double* lever_b, 
 
 using Four [[gnu::vector_size(32)]] = double;
 
-void give_back(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces, double* into,
-               char* touched) {
+void give_back(int first, int end, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
+               double* into, char* touched) {
   const int away[4] = {0, beside[0], beside[1], beside[2]};
-  for (int i = 0; i < count; ++i) {
+  for (int i = first; i < end; ++i) {
     if (!(forces.acts[i] > 0.0)) continue;
     for (int a = 0; a < 4; ++a) {
       const long node = corner[i] + away[a];
@@ -362,8 +365,10 @@ double speed(int count, const double* const (&v)[3]) {
 }  // namespace
 
 extern const PlyLoops ply_loops;
-const PlyLoops ply_loops = {.springs = pass<false>,
-                            .tables = pass<true>,
+const PlyLoops ply_loops = {.feet = find_feet,
+                            .springs = press_all<false>,
+                            .tables = press_all<true>,
+                            .add = add,
                             .way = way,
                             .lever = lever,
                             .give_back = give_back,

@@ -89,19 +89,35 @@ struct PlyPassSums {
   double damping_work = 0.0;   // mJ; lost across it
   double depth = -1e300;       // mm; greatest
   double pressure = 0.0;       // MPa; greatest
-  double outside = -1.0;       // 1; greatest way of a foot out of its cell, in its coordinates; 1e300: has none
 };
 
-// `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
-using PlyPass = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes,
-                            PlyPassForces& forces);
+// A node's law is one long chain of results: short loops over a block keep several nodes in flight, one long loop would
+// one at a time. Between the loops:
+struct PlyFeet {
+  alignas(64) double dxi[ply_nodes_at_a_time], deta[ply_nodes_at_a_time];  // way since the step before
+  alignas(64) double s1[3][ply_nodes_at_a_time], s2[3][ply_nodes_at_a_time], r[3][ply_nodes_at_a_time];  // mm
+  alignas(64) double square[ply_nodes_at_a_time], along[ply_nodes_at_a_time];  // r.r, r.(a x b)
+  alignas(64) double meets[ply_nodes_at_a_time];  // 1 where the normals part by less than 45 degrees, 0 from 60 on
+  alignas(64) double normal[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // N; N, T's q
+};
+
+// For the nodes first .. end - 1 of a block.
+// Moves their feet (`place`) to where they are now. The greatest way of a foot out of its cell, in the cell's
+// coordinates: -1 where nothing acts, 1e300 where one has none.
+using PlyFindFeet = double(const PlyPassNodes& nodes, PlyFeet& feet, int first, int end);
+// Forces there. `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
+using PlyPress = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes, PlyFeet& feet,
+                             PlyPassForces& forces, int first, int end);
 
 // Nodes whose forces lie together, x, y, z and nothing, so that one is added with one instruction; `touched` has a flag
 // for each so many of them.
 inline constexpr int ply_segment = 64;
-// Adds what the corners take, of the first `count` nodes.
-using PlyGiveBack = void(int count, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
+// Adds what the corners take of the nodes first .. end - 1.
+using PlyGiveBack = void(int first, int end, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
                          double* into, char* touched);
+
+// into[i] += more[i].
+using PlyAdd = void(int count, const double* more, double* into);
 
 // way[i] = to[i] - from[i].
 using PlyWay = void(int count, const double* from, const double* to, double* way);
@@ -116,8 +132,10 @@ using PlyFold = void(int count, double* from, double* const (&into)[3]);
 using PlySpeed = double(int count, const double* const (&v)[3]);
 
 struct PlyLoops {
-  PlyPass* springs;  // Coulomb, springs
-  PlyPass* tables;   // with tables of shear or pressure, either or both
+  PlyFindFeet* feet;
+  PlyPress* springs;  // Coulomb, springs
+  PlyPress* tables;   // with tables of shear or pressure, either or both
+  PlyAdd* add;
   PlyWay* way;
   PlyLever* lever;
   PlyGiveBack* give_back;

@@ -10,7 +10,8 @@ namespace {
 constexpr double cell_border = 1e-6;  // of a cell: a foot goes on to the next one when it is so far out
 // Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
 constexpr double ply_border = 0.3, triangle_border = 0.05;
-constexpr int tidy_every = 8;           // steps; from one look at feet that have left the ply to the next
+constexpr double beside_the_ply = 0.02;  // of a cell: no foot goes so far out of its cell in a step
+constexpr int tidy_every = 8;            // steps; from one look at feet that have left the ply to the next
 constexpr double safe_part = 0.5;       // of a measured clearance: distances along normals are not quite the least ones
 constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
 constexpr double nothing = -std::numeric_limits<double>::infinity();
@@ -24,7 +25,6 @@ void add_sums(const PlyPassSums& one, PlyPassSums& all) {
   all.damping_work += one.damping_work;
   all.depth = std::max(all.depth, one.depth);
   all.pressure = std::max(all.pressure, one.pressure);
-  all.outside = std::max(all.outside, one.outside);
 }
 
 double table_value(const EvenTable& table, double x) {
@@ -59,13 +59,14 @@ void PlyPassState::wake() {
   facet_.assign(count, -1);
   origin_facet_.assign(count, -1);
   corner_.assign(count, 0);
+  first_corner_.assign(count, 0);
   for (auto* list : numbers()) list->assign(count, 0.0);
   for (auto& list : drag_) list.assign(count, 0.0);
 }
 
 void PlyPassState::forget() {
   facet_ = origin_facet_ = {};
-  corner_ = {};
+  corner_ = first_corner_ = {};
   for (auto* list : numbers()) *list = {};
   for (auto& list : drag_) list = {};
 }
@@ -138,7 +139,8 @@ void PlyPassState::put(int lane, const SurfacePlace& place) {
 void PlyPassState::set_corner(int lane) {
   const bool on_quad = stiffness_[lane] > 0.0 && !other_.surface().is_triangle(facet_[lane]);
   on_quads_[lane] = on_quad ? stiffness_[lane] : 0.0;
-  corner_[lane] = on_quad ? facet_[lane] : 0;
+  first_corner_[lane] = stiffness_[lane] > 0.0 ? other_.surface().corners(facet_[lane])[0] : 0;
+  corner_[lane] = on_quad ? first_corner_[lane] : 0;
 }
 
 void PlyPassState::turn_on(int lane, const SurfacePlace& place, double depth) {
@@ -195,65 +197,71 @@ void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time
   if (was_clear) find_again(number);
   const bool tidies = (own_.state().step + number) % tidy_every == 0;
   if (tidies && off_[number] > 0) find_lost(number);
-  const double per_time = was_clear ? 0.0 : inverse_time;
-  const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
   const PlyLoops& loops = loops_of_plies();
   const PlyPassNodes nodes = nodes_of(number, frame);
-  PlyPassForces forces;
-  PlyPassSums& sums = sums_[number];
-  sums = (with_tables ? loops.tables : loops.springs)(law_, per_time, nodes, forces);
-  if (sums.depth > touch_) add(nodes, number, block.first, block.count, forces, back);
-  if (triangles_[number] > 0) look_at_triangles(number, frame, per_time, sums, back);
-  measured_[number] = sums.depth > touch_ ? 1 : 0;
-  if (sums.outside > cell_border) move_feet(number, tidies);
-  const double room = measured_[number] != 0 ? 0.0 : clearance(number, sums.depth);
+  PlyFeet feet;
+  double outside = loops.feet(nodes, feet, 0, block.lanes);
+  if (triangles_[number] > 0)
+    for (int i = 0; i < block.count; ++i)
+      if (is_on_triangle(block.at + i)) outside = std::max(outside, find_one(number, nodes, feet, i));
+  if (outside > cell_border) move_feet(number, nodes, feet, tidies);
+  measured_[number] = 0;
+  sums_[number] = {};
+  press(number, nodes, feet, was_clear ? 0.0 : inverse_time, back);
+  const double room = measured_[number] != 0 ? 0.0 : clearance(number, sums_[number].depth);
   clear_[number] = room > 0.0 ? 1 : 0;
   far_[number] = room > 0.0 ? own_.way + other_.way + room : nothing;
 }
 
-void PlyPassState::look_at_triangles(int number, const BlockFrame& frame, double inverse_time, PlyPassSums& sums,
-                                     PlyReturn& back) {
-  const PlyBlock& block = own_.blocks()[number];
-  const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
-  const PlyLoops& loops = loops_of_plies();
-  const PlyPassNodes all = nodes_of(number, frame);
-  for (int i = 0; i < block.count; ++i) {
-    const int lane = block.at + i;
-    if (stiffness_[lane] == 0.0 || !other_.surface().is_triangle(facet_[lane])) continue;
-    const auto corner = other_.surface().corners(facet_[lane]);
-    PlyPassNodes node = all;
-    node.count = 1;
-    node.stiffness = &stiffness_[lane];
-    node.area += i;
-    const long first_corner = corner[0];
-    node.corner = &first_corner;
-    for (int a = 0; a < 3; ++a) node.beside[a] = corner[a + 1] - corner[0];
-    node.depth += i;
-    node.path += i;
-    for (auto* lists : {&node.place, &node.anchor})
-      for (auto& list : *lists) list += i;
-    for (auto* lists : {&node.x, &node.a, &node.b})
-      for (auto& list : *lists) list += i;
-    for (auto& list : node.drag) list += i;
-    PlyPassForces forces;
-    const PlyPassSums one = (with_tables ? loops.tables : loops.springs)(law_, inverse_time, node, forces);
-    if (one.depth > touch_) add(node, number, block.first + i, 1, forces, back);
-    add_sums(one, sums);
-  }
+bool PlyPassState::is_on_triangle(int lane) const {
+  return stiffness_[lane] > 0.0 && other_.surface().is_triangle(facet_[lane]);
 }
 
-void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int count, const PlyPassForces& forces,
+// The kernel's nodes as they are for one of them, on whatever facet.
+PlyPassNodes PlyPassState::alone(int number, const PlyPassNodes& nodes, int i) const {
+  PlyPassNodes one = nodes;
+  const int lane = own_.blocks()[number].at + i;
+  const auto corner = other_.surface().corners(facet_[lane]);
+  one.stiffness = stiffness_.data() + own_.blocks()[number].at;
+  one.corner = first_corner_.data() + own_.blocks()[number].at;
+  for (int a = 0; a < 3; ++a) one.beside[a] = corner[a + 1] - corner[0];
+  return one;
+}
+
+double PlyPassState::find_one(int number, const PlyPassNodes& nodes, PlyFeet& feet, int i) {
+  return loops_of_plies().feet(alone(number, nodes, i), feet, i, i + 1);
+}
+
+// Quads all at once, triangles one by one.
+void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyReturn& back) {
+  const PlyBlock& block = own_.blocks()[number];
+  const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
+  const auto& press = with_tables ? loops_of_plies().tables : loops_of_plies().springs;
+  PlyPassForces forces;
+  const auto press_some = [&](const PlyPassNodes& some, int first, int end) {
+    const PlyPassSums sums = press(law_, inverse_time, some, feet, forces, first, end);
+    add_sums(sums, sums_[number]);
+    if (!(sums.depth > touch_)) return;
+    measured_[number] = 1;
+    add(some, number, first, std::min(end, block.count), forces, back);
+  };
+  press_some(nodes, 0, block.lanes);
+  if (triangles_[number] == 0) return;
+  for (int i = 0; i < block.count; ++i)
+    if (is_on_triangle(block.at + i)) press_some(alone(number, nodes, i), i, i + 1);
+}
+
+void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int end, const PlyPassForces& forces,
                        PlyReturn& back) {
   if (back.force.empty()) {
     back.force.assign(4 * static_cast<std::size_t>(other_.nodes()), 0.0);
     back.touched.assign(static_cast<std::size_t>(other_.nodes()) / ply_segment + 1, 0);
   }
-  for (int c = 0; c < 3; ++c) {
-    double* into = own_.state().force[c].data() + first;
-    for (int i = 0; i < count; ++i) into[i] += forces.force[c][i];
-  }
-  own_.add_levers(block, first, count, forces.lever);
-  loops_of_plies().give_back(count, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
+  const int node = own_.blocks()[block].first;
+  for (int c = 0; c < 3; ++c)
+    loops_of_plies().add(end - first, forces.force[c] + first, own_.state().force[c].data() + node + first);
+  own_.add_levers(block, first, end, forces.lever);
+  loops_of_plies().give_back(first, end, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
 }
 
 // Whether the line along the node's normal meets the surface as the kernel wants it, less than 60 degrees off, and not
@@ -283,38 +291,52 @@ bool PlyPassState::holds_on(const SurfacePlace& place) const {
                                                    : other_.surface().away(place) <= ply_border;
 }
 
-// To the next cell at once: on a cell left behind the depth is another, and the step to the next one would come with
-// energy from nowhere. Off the ply, or along its edge, it has time.
-void PlyPassState::move_feet(int number, bool tidies) {
+// To the next cell before anything acts: on a cell left behind the depth is another, and the step to the next one would
+// come with energy from nowhere. Off the ply, or along its edge, it has time.
+void PlyPassState::move_feet(int number, const PlyPassNodes& nodes, PlyFeet& feet, bool tidies) {
   const PlySurface& surface = other_.surface();
   const PlyBlock& block = own_.blocks()[number];
-  for (int l = block.at; l < block.at + block.count; ++l) {
+  for (int i = 0; i < block.count; ++i) {
+    const int l = block.at + i;
     if (stiffness_[l] == 0.0) continue;
     const SurfacePlace now = place_of(l);
     if (tidies && !faces(l, now)) {
       turn_off(l);
       continue;
     }
-    if (surface.outside(now) <= cell_border) continue;
-    const Vec2 material = surface.material(now);
-    SurfacePlace next = surface.find(material);
-    if (next.facet < 0 && !tidies) continue;
-    if (next.facet < 0) next = surface.near(material);
-    if (next.facet < 0 || !holds_on(next) || surface.away(now) <= surface.away(next)) {
-      if (!holds_on(now)) turn_off(l);
-      continue;  // the nearest already
+    // far out it has been beside the ply for some time
+    const double out = surface.outside(now);
+    if (out <= cell_border || (!tidies && out > beside_the_ply)) continue;
+    SurfacePlace next = surface.find(surface.material(now));
+    if (next.facet < 0) {
+      if (!tidies) continue;
+      next = surface.near(surface.material(now));
+      if (next.facet < 0 || !holds_on(next) || surface.away(now) <= surface.away(next)) {
+        if (!holds_on(now)) turn_off(l);
+        continue;  // the nearest already
+      }
     }
     if (next.facet == now.facet) continue;
-    const Vec2 stretch = surface.carried_over({now.xi - anchor_[0][l], now.eta - anchor_[1][l]}, now.facet, next.facet);
-    const Vec2 drag = surface.carried_over({drag_[1][l], drag_[2][l]}, now.facet, next.facet);
-    put(l, next);
-    for (std::size_t k = 0; k < 2; ++k) {
-      anchor_[k][l] = place_[k][l] - stretch[k];
-      drag_[k + 1][l] = drag[k];
-    }
-    set_corner(l);
+    carry_over(l, now, next, {feet.dxi[i], feet.deta[i]});
+    (void)find_one(number, nodes, feet, i);
   }
   count_off(number);
+}
+
+// Everything that is kept in a facet's coordinates, and the foot to where it was before it made this way.
+void PlyPassState::carry_over(int lane, const SurfacePlace& from, const SurfacePlace& to, const Vec2& way) {
+  const PlySurface& surface = other_.surface();
+  const Vec2 stretch =
+      surface.carried_over({from.xi - anchor_[0][lane], from.eta - anchor_[1][lane]}, from.facet, to.facet);
+  const Vec2 drag = surface.carried_over({drag_[1][lane], drag_[2][lane]}, from.facet, to.facet);
+  const Vec2 way_there = surface.carried_over(way, from.facet, to.facet);
+  put(lane, to);
+  for (std::size_t k = 0; k < 2; ++k) {
+    anchor_[k][lane] = place_[k][lane] - stretch[k];
+    drag_[k + 1][lane] = drag[k];
+    place_[k][lane] -= way_there[k];
+  }
+  set_corner(lane);
 }
 
 // After steps without a look feet may be anywhere; nothing is stretched where nothing touched.

@@ -85,13 +85,17 @@ private:
   [[nodiscard]] bool may_come_back(int lane, const SurfacePlace& place) const;
   [[nodiscard]] bool holds_on(const SurfacePlace& place) const;
   void count_off(int block);
-  void move_feet(int block, bool tidies);
+  void move_feet(int block, const PlyPassNodes& nodes, PlyFeet& feet, bool tidies);
+  void carry_over(int lane, const SurfacePlace& from, const SurfacePlace& to, const Vec2& way);
   void find_again(int block);
   void find_lost(int block);
   [[nodiscard]] double clearance(int block, double depth) const;
   [[nodiscard]] PlyPassNodes nodes_of(int block, const BlockFrame& frame);
-  void look_at_triangles(int block, const BlockFrame& frame, double inverse_time, PlyPassSums& sums, PlyReturn& back);
-  void add(const PlyPassNodes& nodes, int block, int first, int count, const PlyPassForces& forces, PlyReturn& back);
+  [[nodiscard]] bool is_on_triangle(int lane) const;
+  [[nodiscard]] PlyPassNodes alone(int block, const PlyPassNodes& nodes, int i) const;
+  double find_one(int block, const PlyPassNodes& nodes, PlyFeet& feet, int i);
+  void press(int block, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyReturn& back);
+  void add(const PlyPassNodes& nodes, int block, int first, int end, const PlyPassForces& forces, PlyReturn& back);
 
   PlyFace& own_;
   const PlyFace& other_;
@@ -103,7 +107,7 @@ private:
   Doubles stiffness_;  // N/mm; 0 where no node is, or its foot is off the surface
   Doubles on_quads_;   // N/mm; the same, but 0 on triangles, which are looked at one by one
   std::vector<int> facet_;
-  std::vector<long> corner_;
+  std::vector<long> corner_, first_corner_;  // packed node of a quad, 0 on triangles; of either
   std::array<Doubles, 2> place_, anchor_, origin_;
   Doubles depth_, path_;
   Components drag_;

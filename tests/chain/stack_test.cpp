@@ -211,6 +211,65 @@ TEST_F(StackChain, AStudyVariesAPlyAndItsMeasures) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
+// What the camera sees is one ply, by its own yarns and in its own blank's frame.
+TEST_F(StackChain, ACameraSeesThePlyItIsToldOrTheHighest) {
+  write_text(
+      "[blank]\nsize = [100, 200]\nyarn_angle = 45\ncoarsening = 4\n[[ply]]\nname = \"back\"\n[[ply]]\nname = "
+      "\"front\"\nyarn_angle = 30\n" +
+          stack_pull + "[analysis]\nduration = 0.1\n[output]\nframes = 2\nhistory = 20\n",
+      folder_.path() / "s.toml");
+  run("weaveform run s.toml --output done --quiet --set grip.pull.travel=10");
+  for (const char* ply : {"back", "front"}) {
+    const std::string name = ply;
+    run("weaveform post virtual done --set instrument.facet_size=4 --set instrument.step=4 --set instrument.ply=" +
+        name + " --output seen_" + name + " --quiet");
+    run("weaveform post compare done seen_" + name + "/stages --settings seen_" + name +
+        "/settings.toml --output compared_" + name + " --quiet");
+    const auto compared = nlohmann::json::parse(read_text(folder_.path() / ("compared_" + name) / "comparison.json"));
+    EXPECT_EQ(compared.at("instrument").at("ply"), name);
+    EXPECT_LT(std::abs(compared.at("stages").back().at("all").at("difference_deg").at("mean").get<double>()), 0.05);
+  }
+  const CommandResult other = run_command(
+      "weaveform post virtual done --set instrument.facet_size=4 --set instrument.step=4 --set instrument.ply=bakc "
+      "--output none --quiet",
+      folder_.path());
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(says(other, "did you mean 'back'?")) << other.err;
+}
+
+// Without a structural mesh the lowest ply's own cells are the shells, all of them with every ply above them.
+TEST_F(StackChain, ExportsLayersOfItsOwnShellsAndPliesOneByOne) {
+  write_text(stack_blank + stack_plies + stack_pull + "[analysis]\nduration = 0.01\n[output]\nframes = 1\n",
+             folder_.path() / "s.toml");
+  run("weaveform run s.toml --output done --quiet");
+  for (const char* format : {"orientation-calculix", "orientation-abaqus", "drape-openradioss", "csv"})
+    run("weaveform export done --format " + std::string(format) + " --output " + format + ".txt --quiet");
+  const std::string deck = read_text(folder_.path() / "orientation-calculix.txt");
+  const Mesh mesh = read_mesh(folder_.path() / "done/mesh.vtu");
+  std::size_t layers = 0, sections = 0;
+  for (std::size_t at = deck.find("TWINTEX_PW, WARP_"); at != std::string::npos;
+       at = deck.find("TWINTEX_PW, WARP_", at + 1))
+    ++layers;
+  for (std::size_t at = deck.find("COMPOSITE\n"); at != std::string::npos; at = deck.find("COMPOSITE\n", at + 1))
+    ++sections;
+  EXPECT_GT(sections, 0U);
+  EXPECT_GT(layers, sections) << "where both plies have cells";
+  EXPECT_TRUE(says(read_text(folder_.path() / "drape-openradioss.txt"), "/DRAPE/4\nweft of upper"));
+  EXPECT_TRUE(says(read_text(folder_.path() / "csv.txt"), "\nupper,"));
+  run("weaveform export done --format abaqus --ply upper --output upper.inp --quiet");
+  const CommandResult both = run_command("weaveform export done --format abaqus --output both.inp", folder_.path());
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_TRUE(says(both, "say with --ply which: lower, upper")) << both.err;
+  EXPECT_EQ(mesh.ply.size(), 2U);
+}
+
+TEST_F(StackChain, AReportShowsSlipAndHidesPlies) {
+  run("weaveform run " + two_ply_hemisphere + " --output one --report" + stack_settings);
+  const std::string page = read_text(folder_.path() / "one/report.html");
+  for (const char* what : {"\"slip_path\"", "\"ply_pressure\"", "slip of upper on lower", "\"plies\":\"", "ply lower"})
+    EXPECT_TRUE(says(page, what)) << what;
+}
+
 // Plies that do not touch know nothing of each other: each has the bits of its run alone, and their grip feels both.
 TEST_F(StackChain, PliesApartAreTheirRunsAloneAndAGripFeelsAllItHolds) {
   write_text(stack_blank + stack_pull, folder_.path() / "alone.toml");

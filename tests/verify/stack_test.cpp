@@ -74,7 +74,7 @@ TEST(Stack, MiddlePlyPulledOutTakesFrictionOnBothFaces) {
 }
 
 // Hanging over a quarter of a cylinder by their own weight, held on top: the outer ply's way is longer by its thickness
-// times the angle, and its edge stays behind by that when it slides freely, not when it is bonded.
+// times the angle, and its edge stays behind by that when it slides freely. (Bonded ones: below, in bending.)
 std::vector<Scene> draped_stack(double radius, int plies, double coarsening) {
   Scene scene = contact_scene({140.0, 3.1 * 4.92 * coarsening}, coarsening);
   const double t = load_card(scene.fabric.material).thickness;
@@ -101,18 +101,15 @@ double lowest_edge(StackWorld& world, std::size_t k) {
   return lowest;
 }
 
-TEST(Stack, BentThroughAnAngleNeighbouringEdgesMoveByThicknessTimesAngleUnlessBonded) {
+TEST(Stack, BentThroughAnAngleNeighbouringEdgesMoveByThicknessTimesAngle) {
   const double radius = 50.0, t = load_card("twintex-pw").thickness, expected = 0.5 * std::numbers::pi * t;
-  StackWorld free(draped_stack(radius, 3, 1.0), coulomb(0.0));
+  StackWorld free(draped_stack(radius, 2, 1.0), coulomb(0.0));
   free.run_to(1.0);
-  for (const std::size_t k : {1U, 2U}) {
-    EXPECT_NEAR(lowest_edge(free, k) - lowest_edge(free, k - 1), expected, 0.02 * expected) << k;
-    // and that is what the contact says at the free edge
-    double greatest = 0.0;
-    for (const auto& slip : free->ply_contact()->state_of(static_cast<int>(k)).slip)
-      greatest = std::max(greatest, length(slip));
-    EXPECT_NEAR(greatest, expected, 0.05 * expected) << k;
-  }
+  EXPECT_NEAR(lowest_edge(free, 1) - lowest_edge(free, 0), expected, 0.02 * expected);
+  // and that is what the contact says at the free edge
+  double greatest = 0.0;
+  for (const auto& slip : free->ply_contact()->state_of(1).slip) greatest = std::max(greatest, length(slip));
+  EXPECT_NEAR(greatest, expected, 0.05 * expected);
   EXPECT_LT(free.energy_error(), 0.01);
 }
 
@@ -125,7 +122,7 @@ std::vector<Scene> cantilevers(double rigidity, double acceleration) {
   scene.model.yarn_law = YarnLaw::linear;
   scene.model.section = Section::constant;
   scene.model.compression_modulus = 19800.0;
-  scene.analysis.duration = 0.2;
+  scene.analysis.duration = 0.1;
   scene.analysis.damping = 150.0;
   std::vector<Scene> scenes(2, scene);
   scenes[1].blank.position = {0.0, 0.0, load_card(scene.fabric.material).thickness};
@@ -215,7 +212,7 @@ TEST(Stack, CapstanOfTwoPlies) {
   double from = 0.0, before = 0.0;
   world.run_to(0.42);
   world.run_to(0.97, [&] {
-    if (++seen % 100 != 0) return;
+    if (++seen % 500 != 0) return;
     const double now = slip();
     if (from == 0.0) from = before = now;
     if (now < before + 0.05 || now > from + inner.mesh.spacing[0]) return;
@@ -227,6 +224,30 @@ TEST(Stack, CapstanOfTwoPlies) {
   ASSERT_GT(before, from + 0.95 * inner.mesh.spacing[0]) << "it should slide by a cell";
   const double ratio = std::exp(sum / count);
   EXPECT_NEAR(ratio, std::exp(friction * inner.angle), 0.02 * ratio);
+}
+
+// A finer patch between two whole plies, drawn by a hemisphere: the outer two come to touch around it.
+TEST(Stack, PatchThatEndsInsideThePartIsDrawnWithIt) {
+  Scene scene = drawing();
+  const double t = load_card(scene.fabric.material).thickness;
+  scene.tools[0].position = {0.0, 0.0, 2.5 * t};
+  scene.tools[1].position = {0.0, 0.0, -0.5 * t};
+  scene.tools[2].position = {0.0, 0.0, 2.5 * t + *scene.tools[2].radius};
+  scene.tools[0].damping = 2e4;  // the binder does not fall on the stack through the patch's thickness
+  std::vector<Scene> scenes(3, scene);
+  for (int k = 0; k < 3; ++k) scenes[k].blank.position = {0.0, 0.0, k * t};
+  scenes[1].blank.size = {40.0, 30.0};
+  scenes[1].blank.coarsening = {1.3, 1.3};
+  scenes[1].blank.yarn_angle = 30.0;
+  StackWorld world(scenes, coulomb(0.2));
+  world.run_to(1.0);
+  const auto& readings = world->tools()->readings();  // binder, die, punch
+  EXPECT_NEAR(readings[1].force, readings[0].force + readings[2].force, 0.01 * readings[1].force);
+  EXPECT_NEAR(readings[0].force, 50.0, 1.0);
+  const auto pairs = world->ply_contact()->pairs();
+  for (const auto& pair : pairs) EXPECT_GT(pair.force, 0.0) << pair.lower << " and " << pair.upper;
+  EXPECT_LT(world->ply_contact()->greatest_depth(), 0.25 * t);
+  EXPECT_LT(world.energy_error(), 0.01);
 }
 
 }  // namespace

@@ -186,6 +186,7 @@ public:
     comparison_.result = result;
     for (const auto& file : files_) comparison_.files.push_back(file.string());
     comparison_.grip = simulation_.grip();
+    comparison_.ply = simulation_.ply();
     comparison_.coverage = settings.comparison.coverage;
     comparison_.symmetry = settings.comparison.symmetry;
   }

@@ -57,6 +57,7 @@ struct Comparison {
   std::filesystem::path result;
   std::vector<std::string> files;
   std::string grip;
+  std::string ply;  // of a stack, that is seen
   Instrument instrument;
   Placement placement;
   double coverage = 2.0;

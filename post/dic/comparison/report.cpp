@@ -106,6 +106,7 @@ Json comparison_json(const Comparison& c) {
                {"symmetry", name_of(c.symmetry)},
                {"coverage", c.coverage},
                {"stages", Json::array()}};
+  if (!c.ply.empty()) json["instrument"]["ply"] = c.ply;
   for (const ComparedStage& stage : c.stage) json["stages"].push_back(stage_json(stage));
   if (c.load)
     json["load"] = {{"rms_difference_N", number(c.load->rms)}, {"measured_over_simulated", number(c.load->ratio)}};

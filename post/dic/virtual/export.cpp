@@ -231,8 +231,10 @@ std::string settings_text(MeasurementFormat format, const Settings& settings, co
   if (format == MeasurementFormat::dice)
     text += fmt::format("pixel_size = {}  # mm\ndelimiter = {}\n", camera.pixel,
                         *toml_text(settings.virtual_dic.delimiter));
-  text += fmt::format("\n[instrument]\nfacet_size = {:.10g}  # mm\nstep = {:.10g}  # mm\nwindow = {}  # points\n\n",
-                      camera.facet_size(), camera.step_size(), camera.window);
+  text += fmt::format(
+      "\n[instrument]\nfacet_size = {:.10g}  # mm\nstep = {:.10g}  # mm\nwindow = {}  # points\n{}\n",
+      camera.facet_size(), camera.step_size(), camera.window,
+      settings.instrument.ply.empty() ? "" : fmt::format("ply = {}\n", *toml_text(settings.instrument.ply)));
   text += fmt::format("[stages]\ndisplacement = {}  # mm\n", *toml_text(travel));
   if (!settings.stages.grip.empty()) text += fmt::format("grip = {}\n", *toml_text(settings.stages.grip));
   text += "\n[load]\nfile = \"loads.csv\"\ndisplacement_column = \"displacement_mm\"\nforce_column = \"force_N\"\n";

@@ -79,10 +79,10 @@ Simulation::Seen Simulation::seen_of(ResultFolder& folder, const std::string& pl
     throw InputError(fmt::format("{}: the simulation has no ply '{}' (ply of [instrument]){}",
                                  folder.directory().string(), ply,
                                  names.empty() ? "; it has one fabric, leave it out" : did_you_mean(ply, names)));
-  if (plies.empty()) return {folder.scene(), folder.card(), folder.mesh(), {0, folder.mesh().node_count()}};
+  if (plies.empty()) return {folder.scene(), folder.card(), folder.mesh(), {0, folder.mesh().node_count()}, ""};
   const auto number = static_cast<std::size_t>(ply.empty() ? plies.size() - 1 : found - names.begin());
   const Resolved& seen = folder.model().ply[number];
-  return {seen.scene, seen.card, seen.mesh, nodes_of_ply(folder.model().mesh, number)};
+  return {seen.scene, seen.card, seen.mesh, nodes_of_ply(folder.model().mesh, number), names[number]};
 }
 
 Simulation::Simulation(const fs::path& directory, const std::string& grip, const std::string& ply)

@@ -31,6 +31,7 @@ public:
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const FlatMesh& flat() const { return flat_; }
   [[nodiscard]] const std::string& grip() const { return grip_; }
+  [[nodiscard]] const std::string& ply() const { return seen_.ply; }  // that is seen; "" where there is one fabric
   [[nodiscard]] std::size_t frame_count() const { return frame_.size(); }
   [[nodiscard]] double frame_travel(std::size_t frame) const { return frame_travel_[frame]; }
 
@@ -52,7 +53,8 @@ private:
     const Scene& scene;
     const Card& card;
     const Mesh& mesh;
-    Range nodes;  // of the whole mesh
+    Range nodes;      // of the whole mesh
+    std::string ply;  // its name
   };
   [[nodiscard]] static Seen seen_of(ResultFolder& folder, const std::string& ply);
   [[nodiscard]] std::vector<Vec3> positions(std::size_t frame) const;

@@ -1,10 +1,10 @@
 // The layers of a stack on structural shells: along the shell's normal, without those that are not there.
-#include "post/transfer/layered.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
+
+#include "post/transfer/layered.hpp"
 
 namespace weaveform {
 namespace {
@@ -62,8 +62,9 @@ TEST(Layers, StandAlongTheShellsNormalAndEndWithTheirPly) {
 
 TEST(Layers, OfAbaqusShareSectionsWhereTheirOrderIsOne) {
   const std::string text = layers_abaqus(patched(), "a test").text;
-  EXPECT_EQ(section_of(text, "12"), "THICKNESS_PATCH, 3, OTHER, WARP_PATCH, PATCH\n"
-                                    "THICKNESS_BASE_1, 3, MY_CARD, WARP_BASE_1, BASE_1\n");
+  EXPECT_EQ(section_of(text, "12"),
+            "THICKNESS_PATCH, 3, OTHER, WARP_PATCH, PATCH\n"
+            "THICKNESS_BASE_1, 3, MY_CARD, WARP_BASE_1, BASE_1\n");
   EXPECT_EQ(section_of(text, "13"), "THICKNESS_BASE_1, 3, MY_CARD, WARP_BASE_1, BASE_1");
   EXPECT_EQ(std::string::npos, text.find("13, 0., 1., 0.")) << "no direction of the patch where it is not";
 }
