@@ -138,9 +138,9 @@ void Recorder::add_plies(const Fields& fields, const std::vector<PairReading>& p
       most = std::max(most, std::abs(fields.shear_angle[cell]));
     row[column++] = most * 180.0 / std::numbers::pi;
   }
-  for (const auto& [lower, upper] : pairs_) {
+  for (const auto& plies : pairs_) {
     const auto reading = std::find_if(pairs.begin(), pairs.end(), [&](const PairReading& pair) {
-      return pair.lower == lower && pair.upper == upper;
+      return std::array{pair.lower, pair.upper} == plies;
     });
     for (const double value : reading == pairs.end() ? values_of({}) : values_of(*reading)) row[column++] = value;
   }

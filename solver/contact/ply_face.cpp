@@ -50,12 +50,12 @@ void PlyFace::find_planes() {
       const SymmetryPlane& plane = mesh.symmetry.plane[k];
       const auto [a, b] = between_arms(packed);
       const bool warp = dot(a, a) > 0.0;
-      const Vec3& way = warp ? a : b;
-      const double across = dot(way, plane.normal), part = across * across / dot(way, way);
+      const Vec3& arm = warp ? a : b;
+      const double across = dot(arm, plane.normal), part = across * across / dot(arm, arm);
       double swaps = 0.0;
       if (part > a_quarter && part < 1.0 - a_quarter) {
-        const Vec3 image = mirrored_vector(way, plane);
-        swaps = (warp ? cross(way, image) : cross(image, way))[2] > 0.0 ? 1.0 : -1.0;
+        const Vec3 image = mirrored_vector(arm, plane);
+        swaps = (warp ? cross(arm, image) : cross(image, arm))[2] > 0.0 ? 1.0 : -1.0;
       }
       flat_[packed].push_back({plane.normal, swaps});
     }
@@ -122,20 +122,20 @@ std::array<Vec3, 2> PlyFace::between_arms(int node) const {
 
 // The image of what lies on one side of a plane lies on the other, and what is between them does not lean.
 std::array<Vec3, 2> PlyFace::between_neighbours(int node) const {
-  std::array<Vec3, 2> way = between_arms(node);
+  std::array<Vec3, 2> arms = between_arms(node);
   for (const auto& [plane, swaps] : flat_[node]) {
     if (swaps != 0.0) {
-      way = with_images(way, plane, swaps);
+      arms = with_images(arms, plane, swaps);
       continue;
     }
     // along the plane or across it, whichever the yarn is
-    for (auto& one : way) {
+    for (auto& one : arms) {
       const double across = dot(one, plane);
       const Vec3 flat = minus(one, scaled(plane, across));
       one = across * across > dot(flat, flat) ? scaled(plane, across) : flat;
     }
   }
-  return way;
+  return arms;
 }
 
 Vec3 PlyFace::normal(int node) const {

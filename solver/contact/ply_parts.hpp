@@ -26,8 +26,8 @@ struct PlyContact::Parts {
     bool bounded = false;  // counts for the stable step
     double far = 0.0;      // mm; of a pair asleep: how far the plies' ways may grow until it is looked at again
     [[nodiscard]] bool awake() const { return pass[0].awake(); }
-    [[nodiscard]] double thinner(const std::deque<PlyFace>& face) const {  // mm
-      return std::min(face[reading.lower].touching().thickness, face[reading.upper].touching().thickness);
+    [[nodiscard]] double thinner(const std::deque<PlyFace>& faces) const {  // mm
+      return std::min(faces[reading.lower].touching().thickness, faces[reading.upper].touching().thickness);
     }
   };
   // Blocks of a ply that one thread takes at a time, whatever the number of threads.

@@ -193,7 +193,7 @@ TEST(SharpestCell, IsTheGreatestShearOfAll) {
       FabricPatch fabric("twintex-pw", 30.0, {50.0, 70.0}, formulation);
       const auto [warp, weft] = fabric.yarn_directions();
       const auto start = fabric.state;
-      fabric.move([&](const Vector3d& x) {
+      fabric.move([&, warp = warp, weft = weft](const Vector3d& x) {
         const double sine = 0.3 + (x[0] < border ? 0.0 : 0.2);
         return Vector3d(x.dot(warp) * warp + x.dot(weft) * (sine * warp + std::sqrt(1.0 - sine * sine) * weft));
       });
