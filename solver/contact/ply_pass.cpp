@@ -10,8 +10,8 @@ namespace {
 constexpr double cell_border = 1e-6;  // of a cell: a foot goes on to the next one when it is so far out
 // Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
 constexpr double ply_border = 0.3, triangle_border = 0.05;
-constexpr double beside_the_ply = 0.02;  // of a cell: no foot goes so far out of its cell in a step
-constexpr int tidy_every = 8;            // steps; from one look at feet that have left the ply to the next
+constexpr double beside_the_ply = 0.02;                  // of a cell: no foot goes so far out of its cell in a step
+constexpr int tidy_every = 8, look_for_lost_every = 16;  // steps; for feet that have left the ply, and may come back
 constexpr double safe_part = 0.5;       // of a measured clearance: distances along normals are not quite the least ones
 constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
 constexpr double nothing = -std::numeric_limits<double>::infinity();
@@ -196,7 +196,7 @@ void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time
   const bool was_clear = clear_[number] != 0;
   if (was_clear) find_again(number);
   const bool tidies = (own_.state().step + number) % tidy_every == 0;
-  if (tidies && off_[number] > 0) find_lost(number);
+  if (off_[number] > 0 && (own_.state().step + number) % look_for_lost_every == 0) find_lost(number);
   const PlyLoops& loops = loops_of_plies();
   const PlyPassNodes nodes = nodes_of(number, frame);
   PlyFeet feet;
