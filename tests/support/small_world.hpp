@@ -20,9 +20,7 @@ class SmallWorld {
 public:
   explicit SmallWorld(const std::vector<Scene>& scenes, double longest_step = std::numeric_limits<double>::infinity(),
                       int threads = 1, std::function<PairLaw(int, int)> pair_law = nullptr)
-      : scenes_(scenes.begin(), scenes.end()),
-        team_(threads),
-        world_(make_setup(longest_step, std::move(pair_law))) {}
+      : scenes_(scenes.begin(), scenes.end()), team_(threads), world_(make_setup(longest_step, std::move(pair_law))) {}
 
   World* operator->() { return &world_; }
   World& operator*() { return world_; }
