@@ -115,6 +115,7 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
   if (!arguments.onto.empty())
     throw InputError(
         "--onto maps a formed result; it goes with orientation-abaqus, orientation-calculix, drape-openradioss, "
+        "composite-lsdyna, "
         "csv and vtu");
   const auto materials = choice_named<Materials>(arguments.materials);
   if (materials == Materials::built_in && format != MeshFormat::lsdyna && format != MeshFormat::openradioss &&
@@ -197,6 +198,7 @@ FibreText fibre_text(const ExportArguments& arguments, FibreFormat format, const
   if (format == FibreFormat::orientation_abaqus) return orientation_abaqus(field, version_line());
   if (format == FibreFormat::orientation_calculix)
     return orientation_calculix(field, arguments.group_angle.value_or(usual_group_angle), version_line());
+  if (format == FibreFormat::composite_lsdyna) return layers_lsdyna({{"fabric", "fabric", field}}, version_line());
   return drape_openradioss(field, version_line());
 }
 
@@ -230,6 +232,7 @@ FibreText layers_text(const ExportArguments& arguments, FibreFormat format, cons
   if (format == FibreFormat::orientation_abaqus) return layers_abaqus(layers, version_line());
   if (format == FibreFormat::orientation_calculix)
     return layers_calculix(layers, arguments.group_angle.value_or(usual_group_angle), version_line());
+  if (format == FibreFormat::composite_lsdyna) return layers_lsdyna(layers, version_line());
   return layers_openradioss(layers, version_line());
 }
 
@@ -309,7 +312,7 @@ void add_export_command(CLI::App& program) {
   command
       ->add_option("--format", arguments->format,
                    "Mesh: abaqus, calculix, lsdyna, openradioss, gmsh. Formed result: orientation-abaqus, "
-                   "orientation-calculix, drape-openradioss, csv, vtu")
+                   "orientation-calculix, drape-openradioss, composite-lsdyna, csv, vtu")
       ->required()
       ->check(CLI::IsMember(formats));
   command->add_option("-o,--output", arguments->output, "File to write")->required()->type_name("FILE");

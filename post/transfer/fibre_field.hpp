@@ -35,6 +35,7 @@ struct StateElement {
 
 struct FibreField {
   std::vector<Vec3> position;  // mm
+  std::vector<long> number;    // of each node in its file; none: from 1 on
   std::vector<StateElement> element;
   double flat_thickness = 0.0;                          // mm
   std::array<Vec3, 2> flat_direction = {};              // unit; warp and weft before forming

@@ -243,6 +243,46 @@ FibreText layers_openradioss(const Layers& layers, const std::string& written_by
   return result;
 }
 
+FibreText layers_lsdyna(const Layers& layers, const std::string& written_by) {
+  std::vector<std::string> materials;
+  std::vector<std::size_t> material_of;
+  for (const FibreLayer& layer : layers) {
+    const auto known = std::find(materials.begin(), materials.end(), layer.material);
+    material_of.push_back(static_cast<std::size_t>(known - materials.begin()) + 1);
+    if (known == materials.end()) materials.push_back(layer.material);
+  }
+  const FibreField& shells = layers.front().field;
+  const double unit = millimetres_in(shells.unit);
+  const auto number = [&](int place) { return shells.number.empty() ? place + 1L : shells.number[place]; };
+  FibreText result;
+  result.not_carried = {
+      "the weft where a ply is sheared: the material's second direction is at right angles to the warp",
+      "fibre volume and mass ratios, distances: only in csv and vtu"};
+  std::string& out = result.text;
+  out = fibre_header("$", shells, written_by, result.not_carried) + layers_words("$", layers);
+  for (std::size_t m = 0; m < materials.size(); ++m) out += fmt::format("$ MID {}: {}\n", m + 1, materials[m]);
+  out += "*ELEMENT_SHELL_COMPOSITE\n";
+  for (std::size_t s = 0; s < shells.element.size(); ++s) {
+    const std::vector<std::size_t> order = order_at(layers, s);
+    if (order.empty()) continue;
+    const StateElement& shell = shells.element[s];
+    out += fmt::format("{:>8}{:>8}", shell.number, 1);
+    for (std::size_t k = 0; k < 4; ++k)
+      out += fmt::format("{:>8}", number(shell.node[std::min(k, shell.node.size() - 1)]));
+    out += "\n";
+    const Vec3 edge = array_of(vector_of(shells.position[shell.node[1]]) - vector_of(shells.position[shell.node[0]]));
+    for (std::size_t n = 0; n < order.size(); ++n) {
+      const FibreLayer& layer = layers[order[n]];
+      const FibreState& state = layer.field.element[s].state;
+      const double angle = angle_in_plane(layer.field, layer.field.element[s], edge, state.warp).angle;
+      out += fmt::format("{:>10}{:>10}{:>10}{}", material_of[order[n]], foreign::fit(state.thickness / unit, 9),
+                         foreign::fit(angle * degrees_per_radian, 9),
+                         n % 2 == 0 && n + 1 < order.size() ? "          " : "\n");
+    }
+  }
+  return result;
+}
+
 FibreText layers_csv(const Layers& layers) {
   FibreText result;
   for (const FibreLayer& layer : layers) {

@@ -34,6 +34,10 @@ void map_onto_lowest(std::vector<FibreLayer>& layers);
 [[nodiscard]] FibreText layers_abaqus(const std::vector<FibreLayer>& layers, const std::string& written_by);
 // /DRAPE/2k+1 of the k-th ply's warp and /DRAPE/2k+2 of its weft, as drape_openradioss.
 [[nodiscard]] FibreText layers_openradioss(const std::vector<FibreLayer>& layers, const std::string& written_by);
+// *ELEMENT_SHELL_COMPOSITE: each shell again, of part 1, with a material, a thickness and an angle for each layer. The
+// angle is that of the warp from the shell's first edge, counter-clockwise about its normal, as materials take it whose
+// AOPT is 0; materials are numbered in the order of the plies.
+[[nodiscard]] FibreText layers_lsdyna(const std::vector<FibreLayer>& layers, const std::string& written_by);
 // The rows of fibre_csv with the ply's name first, ply after ply.
 [[nodiscard]] FibreText layers_csv(const std::vector<FibreLayer>& layers);
 

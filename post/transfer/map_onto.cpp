@@ -219,6 +219,7 @@ FibreField map_onto(const FibreField& fabric, const ForeignMesh& structure, cons
                      extent_of(fabric.position, nodes_of(fabric.element)), structure.file);
   FibreField result;
   result.position = place.own;
+  result.number = structure.number;
   result.flat_thickness = fabric.flat_thickness;
   for (std::size_t f = 0; f < 2; ++f) result.flat_direction[f] = turned_back(fabric.flat_direction[f], place.turn);
   result.source = fabric.source + ", mapped onto " + structure.file;

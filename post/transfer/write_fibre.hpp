@@ -10,11 +10,12 @@
 
 namespace weaveform {
 
-enum class FibreFormat { orientation_abaqus, orientation_calculix, drape_openradioss, csv, vtu };
+enum class FibreFormat { orientation_abaqus, orientation_calculix, drape_openradioss, composite_lsdyna, csv, vtu };
 constexpr auto choices_of(FibreFormat) {
   return std::to_array<Choice<FibreFormat>>({{FibreFormat::orientation_abaqus, "orientation-abaqus"},
                                              {FibreFormat::orientation_calculix, "orientation-calculix"},
                                              {FibreFormat::drape_openradioss, "drape-openradioss"},
+                                             {FibreFormat::composite_lsdyna, "composite-lsdyna"},
                                              {FibreFormat::csv, "csv"},
                                              {FibreFormat::vtu, "vtu"}});
 }

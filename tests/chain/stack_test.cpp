@@ -242,7 +242,8 @@ TEST_F(StackChain, ExportsLayersOfItsOwnShellsAndPliesOneByOne) {
   write_text(stack_blank + stack_plies + stack_pull + "[analysis]\nduration = 0.01\n[output]\nframes = 1\n",
              folder_.path() / "s.toml");
   run("weaveform run s.toml --output done --quiet");
-  for (const char* format : {"orientation-calculix", "orientation-abaqus", "drape-openradioss", "csv"})
+  for (const char* format :
+       {"orientation-calculix", "orientation-abaqus", "drape-openradioss", "composite-lsdyna", "csv"})
     run("weaveform export done --format " + std::string(format) + " --output " + format + ".txt --quiet");
   const std::string deck = read_text(folder_.path() / "orientation-calculix.txt");
   const Mesh mesh = read_mesh(folder_.path() / "done/mesh.vtu");

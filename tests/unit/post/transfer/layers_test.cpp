@@ -76,6 +76,24 @@ TEST(Layers, OfOpenRadiossHaveABlockForEveryYarnFamily) {
     EXPECT_NE(text.find(block), std::string::npos) << block;
 }
 
+// Shells again with columns of 8, layers two a line with columns of 10; angles from the first edge.
+TEST(Layers, OfLsDynaStandBehindTheirShell) {
+  const std::string text = layers_lsdyna(patched(), "a test").text;
+  EXPECT_NE(text.find("$ MID 1: my card\n$ MID 2: other\n*ELEMENT_SHELL_COMPOSITE\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("      11       1       1       3       4       2\n"
+                      "         1       0.5         0                   2      0.25        90\n"),
+            std::string::npos)
+      << text;
+  // its first edge runs along x, its normal down: the patch is its first layer, its warp to the right of the edge
+  EXPECT_NE(text.find("      12       1       4       6       5       3\n"
+                      "         2      0.25       -90                   1       0.5         0\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("      13       1       5       7       8       6\n         1       0.5         0\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Layers, AreOneTableWithThePlysName) {
   const std::string text = layers_csv(patched()).text;
   EXPECT_TRUE(text.starts_with("ply,element,x_mm,"));
