@@ -202,6 +202,7 @@ TEST(Stack, CapstanOfTwoPlies) {
   const double friction = 0.3;
   Belt inner = make_belt({}, 0.0), outer = make_belt({}, 0.0);
   for (auto& held : inner.scene.grip) held.travel = 0.0;
+  for (auto* belt : {&inner, &outer}) belt->scene.analysis.duration = 0.08;
   StackWorld world({inner.scene, outer.scene}, coulomb(friction), 1, [&](std::size_t k, Mesh& mesh) {
     mesh.nodes.flat_position = mesh.nodes.position;  // it starts draped: chords meet no better
     lay_over(mesh, 50.0 + (0.5 + static_cast<double>(k)) * inner.card.thickness, inner.angle);
