@@ -99,13 +99,15 @@ std::array<int, 4> PlySurface::corners(int facet) const {
 }
 
 Vec2 PlySurface::material(const SurfacePlace& place) const {
-  if (!is_triangle(place.facet)) return {place.facet % stride_ + place.xi, place.facet / stride_ + place.eta};
+  const int row = place.facet / stride_, column = place.facet % stride_;
+  if (!is_triangle(place.facet)) return {column + place.xi, row + place.eta};
   const Triangle& tri = triangle_[place.facet - lattice_nodes_];
   return plus(tri.origin, plus(scaled(tri.first, place.xi), scaled(tri.second, place.eta)));
 }
 
 SurfacePlace PlySurface::on_facet(int facet, const Vec2& material) const {
-  if (!is_triangle(facet)) return {facet, material[0] - facet % stride_, material[1] - facet / stride_};
+  const int row = facet / stride_, column = facet % stride_;
+  if (!is_triangle(facet)) return {facet, material[0] - column, material[1] - row};
   const Triangle& tri = triangle_[facet - lattice_nodes_];
   const Vec2 from = minus(material, tri.origin);
   const double twice = cross(tri.first, tri.second);
