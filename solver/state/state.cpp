@@ -1,8 +1,26 @@
 #include "solver/state/state.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace weaveform {
+
+void* allocate_lines(std::size_t bytes) {
+  void* memory = ::operator new(bytes, cache_line);
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t large_page = std::size_t{1} << 21;
+  constexpr std::uintptr_t page = 4096;
+  if (bytes >= 2 * large_page) {
+    const auto from = (std::bit_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+    const auto end = (std::bit_cast<std::uintptr_t>(memory) + bytes) / page * page;
+    (void)madvise(std::bit_cast<void*>(from), end - from, MADV_HUGEPAGE);  // a wish: whoever refuses it costs time only
+  }
+#endif
+  return memory;
+}
 
 namespace {
 

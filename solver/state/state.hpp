@@ -13,15 +13,20 @@
 
 namespace weaveform {
 
+inline constexpr std::align_val_t cache_line{64};
+
+// Aligned to cache lines. Large ones ask the system for large pages, which it gives where it has them
+// (/sys/kernel/mm/transparent_hugepage): a row's dozen arrays lie on a dozen small pages otherwise.
+[[nodiscard]] void* allocate_lines(std::size_t bytes);
+
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;
-  static constexpr std::align_val_t alignment{64};
   CacheLineAllocator() = default;
   template <class U>
   explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
-  void deallocate(T* p, std::size_t /*n*/) { ::operator delete(p, alignment); }
+  T* allocate(std::size_t n) { return static_cast<T*>(allocate_lines(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t /*n*/) { ::operator delete(p, cache_line); }
   bool operator==(const CacheLineAllocator& /*other*/) const { return true; }
 };
 
