@@ -55,6 +55,16 @@ def hemisphere(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def stack(tmp_path_factory):
+    """Two plies of 256 and 264 cells drawn together."""
+    folder = tmp_path_factory.mktemp("stack") / "result"
+    weaveform("run", examples / "hemisphere_two_plies.toml", "--output", folder, "--quiet",
+              *overrides(blank__coarsening=4, output__frames=8))
+    weaveform("post", "report", folder)
+    return folder
+
+
+@pytest.fixture(scope="session")
 def compared(tmp_path_factory):
     """A bias extension beside what an instrument would have measured of it."""
     folder = tmp_path_factory.mktemp("compared")

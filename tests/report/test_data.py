@@ -1,4 +1,4 @@
-"""Pages made by hand: what the results at hand do not have (plies, words on an axis), broken data, a browser without WebGL."""
+"""Pages made by hand: what the results at hand do not have (two cells one above the other, words on an axis), broken data, a browser without WebGL."""
 
 import base64
 import hashlib

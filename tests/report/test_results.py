@@ -17,7 +17,7 @@ def number(text):
     return float(re.search(r"[−-]?[\d.]+(e[−-]?\d+)?", text).group().replace("−", "-"))
 
 
-@pytest.mark.parametrize("result", ["bias", "hemisphere", "compared", "study"])
+@pytest.mark.parametrize("result", ["bias", "hemisphere", "stack", "compared", "study"])
 def test_opens_without_complaint_and_asks_for_nothing_else(result, opened, request):
     file = request.getfixturevalue(result) / "report.html"
     page = opened(file)
@@ -84,6 +84,36 @@ def test_slider_moves_time_and_with_it_the_values(hemisphere, opened):
     before = page.script(lowest)
     slider.send_keys(Keys.END)
     assert page.script(lowest) == pytest.approx(before - 90, abs=15), "by the punch's 90 mm, at the middle of a cell of 20 mm"
+
+
+def test_two_plies_have_their_numbers_their_slip_and_are_hidden_by_name(stack, opened):
+    page = opened(stack / "report.html")
+    found = summary(stack)
+    verdict = page.text("#verdict")
+    values = {each.text.split("\n")[0]: each.text.split("\n")[1] for each in page.browser.find_elements("css selector", ".number")}
+    for ply in ("lower", "upper"):
+        assert number(values[f"ply {ply}"]) == pytest.approx(found["plies"][ply]["max_shear_angle_deg"], abs=0.051), verdict
+    slip = found["pairs"]["lower/upper"]["max_slip_mm"]
+    assert number(values["slip of upper on lower"]) == pytest.approx(slip, rel=0.01)
+
+    page.script("report.setField('slip_path')")
+    page.find("#time").send_keys(Keys.END)
+    cells = page.script("Array.from({length: report.cellCount()}, (_, cell) => report.cell(cell))")
+    assert {cell["ply"] for cell in cells} == {"lower", "upper"}
+    slipped = [value["value"] for cell in cells for value in cell["values"] if value["name"] == "slip_path" and value["value"] is not None]
+    assert 0.5 * slip < max(slipped) < 1.01 * slip, "the mean of a cell's nodes"
+    page.find("#time").send_keys(Keys.HOME)
+    cell = page.script("report.cell(0).values")
+    assert next(value for value in cell if value["name"] == "slip_path")["value"] == pytest.approx(0, abs=0.01)
+
+    [label] = [each for each in page.browser.find_elements("css selector", "[aria-label=Plies] label") if each.text.strip() == "upper"]
+    label.click()
+    page.script("report.look('top') ?? 0")
+    page.show(".canvas-box")
+    lower = next(index for index, cell in enumerate(cells) if cell["ply"] == "lower" and abs(cell["centre"][0]) > 60 and abs(cell["centre"][1]) > 60)
+    page.mouse_to(page.script("report.cellOnScreen(arguments[0])", lower), click=True)
+    assert page.script("report.picked().ply") == "lower"
+    assert page.complaints() == []
 
 
 def test_a_click_on_the_greatest_cell_reads_the_greatest_angle(hemisphere, opened):
