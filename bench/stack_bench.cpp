@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "bench/rippled_lattice.hpp"
@@ -87,10 +88,10 @@ void stack(benchmark::State& bench, double yarn_angle) {
   bench.counters["touching"] = touching / whole;
 }
 
+// At 300 cells four turned plies cannot be set down like this: a node at the edge of one lands inside the next but one.
 void sizes(benchmark::internal::Benchmark* bench) {
-  for (const int cells : {100, 300})
-    for (const int plies : {1, 2, 4, 8})
-      for (const int threads : {1, 2}) bench->Args({plies, cells, threads});
+  for (const auto& [plies, cells] : {std::pair{1, 100}, {2, 100}, {4, 100}, {8, 100}, {1, 300}, {2, 300}})
+    for (const int threads : {1, 2}) bench->Args({plies, cells, threads});
   bench->ArgNames({"plies", "cells", "threads"})->Unit(benchmark::kMicrosecond)->UseRealTime();
 }
 
