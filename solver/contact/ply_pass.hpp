@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "solver/contact/ply_face.hpp"
@@ -17,6 +18,9 @@
 #include "solver/state/contact_state.hpp"
 
 namespace weaveform {
+
+inline constexpr double cell_border = 1e-6;  // of a cell: a foot goes on to the next one when it is so far out
+inline constexpr double no_depth = -std::numeric_limits<double>::infinity();  // mm; of what has no foot
 
 // What the nodes of a chunk give back, per packed node of the other ply (ply_kernel.hpp, PlyGiveBack): zero outside the
 // touched segments. Empty until something touches.

@@ -31,7 +31,13 @@ Ply::Ply(const PlySetup& setup)
       motion_(packed_, damping_, setup.team),
       reach_(scene_.analysis.step_bound == StepBound::stiffest),
       yarn_limits_(yarn_limits(card_, scene_.model)) {
-  fabric_step_ = finite_step(critical_step_(positions(), critical_step_.stiffest(every_strain)).step);
+  const auto stiffest = critical_step_.stiffest(every_strain);
+  fabric_step_ = critical_step_(positions(), stiffest).step;
+  // every node held: nothing sets a step, and what touches the ply meets springs as of a free one
+  if (!std::isfinite(fabric_step_)) {
+    const std::vector<char> none(mesh_.node_count(), 0);
+    fabric_step_ = CriticalStep(mesh_, card_, yarn_laws_, scene_.model, none)(positions(), stiffest).step;
+  }
   add_own_actors(setup);
 }
 
@@ -65,10 +71,6 @@ double Ply::mass() const {
   return mass;
 }
 
-double Ply::finite_step(double step) const {
-  return std::isfinite(step) ? step : duration_ / scene_.output.history;
-}
-
 void Ply::perturb(double size, std::uint64_t seed) {
   std::vector<char> gripped(packed_.nodes, 0);
   for (const auto& grip : holds_.grips())
@@ -92,7 +94,7 @@ StableStep Ply::renew_stable_step() {
   const auto position = positions();
   StableStep stable = critical_step_(position, yarn_modulus_);
   if (!actors_.empty()) {
-    const double fabric_frequency = 2.0 / finite_step(stable.step);
+    const double fabric_frequency = 2.0 / (std::isfinite(stable.step) ? stable.step : fabric_step_);
     std::vector<double> further(mesh_.node_count(), 0.0);
     for (const auto& actor : actors_) actor->add_stiffness_bound(position, fabric_frequency, further);
     stable = critical_step_(position, yarn_modulus_, further);

@@ -67,7 +67,8 @@ public:
   // Acts after those the ply has by itself, and is asked for step and energies like them.
   void add(std::unique_ptr<Actor> actor);
 
-  // s; the stable step of yarns and cells alone at the start, with the stiffest tangents.
+  // s; the stable step of yarns and cells alone at the start, with the stiffest tangents; with every node held that of
+  // the same ply let go.
   [[nodiscard]] double fabric_step() const { return fabric_step_; }
   // From now on what yarns reached since the last call is allowed (reach.hpp); the longest stable step with that. Where
   // every node is held nothing sets one: a row of history is then as good as any.
@@ -112,8 +113,6 @@ private:
   void add_own_actors(const PlySetup& setup);
   [[nodiscard]] std::string lost_position(const std::function<std::string()>& advice) const;
   [[nodiscard]] std::string torn_yarn(const std::function<std::string()>& advice, bool is_hasty) const;
-  // s; with every node held nothing sets a step.
-  [[nodiscard]] double finite_step(double step) const;
 
   const Mesh& whole_;
   const SymmetricPart* part_;

@@ -211,6 +211,40 @@ TEST_F(StackChain, AStudyVariesAPlyAndItsMeasures) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
+// One ply drawn as a whole over another that is held, as a slip test does: what a file says of tau(slip) is the force per
+// area, whether the plies lie pressed or just on each other.
+TEST_F(StackChain, AMeasuredSlipLawIsGivenBackByItsOwnTest) {
+  write_text("0, 0.0001\n0.1, 0.012\n1, 0.03\n", folder_.path() / "slip.csv");
+  const auto tau = [](double slip) {
+    return slip < 0.1 ? 0.0001 + 0.119 * slip : 0.012 + 0.02 * (slip - 0.1);  // MPa
+  };
+  const auto whole_ply = [](const std::string& name, const std::string& ply, const std::string& more) {
+    return "[[grip]]\nname = \"" + name + "\"\nbox = [-100, -100, 100, 100]\nplies = [\"" + ply + "\"]\n" + more;
+  };
+  const std::string plates =
+      "[tools.lower]\nshape = \"plane\"\n[tools.upper]\nshape = \"plane\"\naxis = [0, 0, -1]\nforce = 10\n";
+  for (const bool pressed : {false, true}) {
+    const std::string free = pressed ? "free = [\"z\"]\n" : "";
+    write_text(
+        "[blank]\nsize = [60, 120]\nyarn_angle = 0\ncoarsening = 4\n[[ply]]\nname = \"a\"\n[[ply]]\nname = \"b\"\n"
+        "[stack]\nfriction_law = \"slip.csv\"\n" +
+            whole_ply("held", "a", free) + whole_ply("drawn", "b", free + "travel = 1\n") + (pressed ? plates : "") +
+            "[analysis]\nduration = 0.1\n[output]\nframes = 1\n",
+        folder_.path() / "s.toml");
+    run("weaveform run s.toml --output done --quiet");
+    const History history = read_history(folder_.path() / "done/history.csv");
+    const auto way = history.values("drawn.displacement_mm"), force = history.values("drawn.force_N");
+    int compared = 0;
+    for (std::size_t row = 0; row < way.size(); ++row) {
+      if (way[row] < 0.2 || way[row] > 0.95) continue;
+      const double expected = tau(way[row]) * 60.0 * 120.0;
+      EXPECT_NEAR(force[row], expected, 0.01 * expected) << (pressed ? "pressed, " : "") << way[row] << " mm";
+      ++compared;
+    }
+    EXPECT_GT(compared, 20);
+  }
+}
+
 // What the camera sees is one ply, by its own yarns and in its own blank's frame.
 TEST_F(StackChain, ACameraSeesThePlyItIsToldOrTheHighest) {
   write_text(

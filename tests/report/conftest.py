@@ -44,24 +44,22 @@ def bias(tmp_path_factory):
     return folder
 
 
+def drawn(folder, scene, coarsening):
+    weaveform("run", examples / scene, "--output", folder, "--quiet", *overrides(blank__coarsening=coarsening, output__frames=8))
+    weaveform("post", "report", folder)
+    return folder
+
+
 @pytest.fixture(scope="session")
 def hemisphere(tmp_path_factory):
     """A drawn hemisphere of 121 cells with three tools."""
-    folder = tmp_path_factory.mktemp("hemisphere") / "result"
-    weaveform("run", examples / "hemisphere_pw_fast.toml", "--output", folder, "--quiet",
-              *overrides(blank__coarsening=8, output__frames=8))
-    weaveform("post", "report", folder)
-    return folder
+    return drawn(tmp_path_factory.mktemp("hemisphere") / "result", "hemisphere_pw_fast.toml", 8)
 
 
 @pytest.fixture(scope="session")
 def stack(tmp_path_factory):
     """Two plies of 256 and 264 cells drawn together."""
-    folder = tmp_path_factory.mktemp("stack") / "result"
-    weaveform("run", examples / "hemisphere_two_plies.toml", "--output", folder, "--quiet",
-              *overrides(blank__coarsening=4, output__frames=8))
-    weaveform("post", "report", folder)
-    return folder
+    return drawn(tmp_path_factory.mktemp("stack") / "result", "hemisphere_two_plies.toml", 4)
 
 
 @pytest.fixture(scope="session")

@@ -18,12 +18,17 @@ namespace weaveform::test {
 // other, from bottom to top.
 class SmallWorld {
 public:
+  using Shape = std::function<void(std::size_t ply, Mesh& mesh)>;  // the start, where it is not the flat blank
   explicit SmallWorld(const std::vector<Scene>& scenes, double longest_step = std::numeric_limits<double>::infinity(),
-                      int threads = 1, std::function<PairLaw(int, int)> pair_law = nullptr)
-      : scenes_(scenes.begin(), scenes.end()), team_(threads), world_(make_setup(longest_step, std::move(pair_law))) {}
+                      int threads = 1, std::function<PairLaw(int, int)> pair_law = nullptr,
+                      const Shape& shape = nullptr)
+      : scenes_(scenes.begin(), scenes.end()),
+        team_(threads),
+        world_(make_setup(longest_step, std::move(pair_law), shape)) {}
 
   World* operator->() { return &world_; }
   World& operator*() { return world_; }
+  [[nodiscard]] const Mesh& mesh(std::size_t ply) const { return meshes_[ply]; }
 
   // `steps` of the loop that analysis.cpp goes through with observers in between.
   void run(int steps) {
@@ -37,7 +42,7 @@ public:
   }
 
 private:
-  WorldSetup make_setup(double longest_step, std::function<PairLaw(int, int)> pair_law) {
+  WorldSetup make_setup(double longest_step, std::function<PairLaw(int, int)> pair_law, const Shape& shape) {
     WorldSetup setup{.plies = {},
                      .tools = {},
                      .scene = scenes_.front(),
@@ -48,6 +53,7 @@ private:
     for (const auto& scene : scenes_) {
       cards_.push_back(load_card(scene.fabric.material));
       meshes_.push_back(build_mesh(scene, cards_.back()));
+      if (shape) shape(meshes_.size() - 1, meshes_.back());
       setup.plies.push_back({.whole = meshes_.back(), .card = cards_.back(), .scene = scene});
     }
     setup.loading = choose_loading(scenes_.front(), cards_.front(), scenes_.front().blank.size);

@@ -2,26 +2,26 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
-#include "mesher/lattice/build.hpp"
-#include "solver/analysis/world.hpp"
+#include "tests/support/small_world.hpp"
 
 namespace weaveform::test {
 
 // One ply for each scene, from bottom to top, in the world of the first: its analysis, output and tools.
 class StackWorld {
 public:
-  using Shape = std::function<void(std::size_t ply, Mesh& mesh)>;  // the start, where it is not the flat blank
-  StackWorld(const std::vector<Scene>& scenes, PairLaw law, int threads = 1, const Shape& shape = nullptr)
-      : scenes_(scenes.begin(), scenes.end()), team_(threads), world_(make_setup(std::move(law), shape)) {}
+  StackWorld(const std::vector<Scene>& scenes, PairLaw law, int threads = 1, const SmallWorld::Shape& shape = nullptr)
+      : small_(
+            scenes, std::numeric_limits<double>::infinity(), threads, [law = std::move(law)](int, int) { return law; },
+            shape) {}
 
   World* operator->() { return &world_; }
   World& operator*() { return world_; }
-  const Mesh& mesh(std::size_t k) const { return meshes_[k]; }
+  const Mesh& mesh(std::size_t k) const { return small_.mesh(k); }
 
   // Goes on to this part of the duration; `each` after every step.
   void run_to(double part, const std::function<void()>& each = nullptr) {
@@ -58,29 +58,8 @@ public:
   }
 
 private:
-  WorldSetup make_setup(PairLaw law, const Shape& shape) {
-    WorldSetup setup{.plies = {},
-                     .tools = {},
-                     .scene = scenes_.front(),
-                     .loading = {},
-                     .pair_law = [law = std::move(law)](int, int) { return law; },
-                     .team = team_};
-    for (std::size_t k = 0; k < scenes_.size(); ++k) {
-      cards_.push_back(load_card(scenes_[k].fabric.material));
-      meshes_.push_back(build_mesh(scenes_[k], cards_.back()));
-      if (shape) shape(k, meshes_.back());
-      setup.plies.push_back({.whole = meshes_.back(), .card = cards_.back(), .scene = scenes_[k]});
-    }
-    setup.loading = choose_loading(scenes_.front(), cards_.front(), scenes_.front().blank.size);
-    if (!scenes_.front().tools.empty()) setup.tools = make_tools(scenes_.front(), meshes_.front());
-    return setup;
-  }
-
-  std::deque<Scene> scenes_;
-  std::deque<Card> cards_;
-  std::deque<Mesh> meshes_;
-  Team team_;
-  World world_;
+  SmallWorld small_;
+  World& world_ = *small_;
   bool started_ = false;
   double error_ = 0.0;
 };

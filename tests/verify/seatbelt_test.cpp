@@ -142,6 +142,9 @@ TEST(SeatbeltFabric, WithoutPartnerKeepsItsEnergyBalance) {
   for (const char* law : {"card", "linear", "slack"}) {
     const Solved seatbelt = extended({"model.yarn=seatbelt", std::string("model.yarn_law=") + law});
     EXPECT_LT(seatbelt.result.statistics.energy_error, 5e-3) << law;  // the card's: 3e-3, its yarns snap taut
+    const Solved stiffest =
+        extended({"model.yarn=seatbelt", std::string("model.yarn_law=") + law, "analysis.step_bound=stiffest"});
+    EXPECT_LT(stiffest.result.statistics.energy_error, 1e-3) << law;
     EXPECT_EQ(seatbelt.result.statistics.folded_cells, 0) << law;
     EXPECT_GT(seatbelt.last("top.force_N"), 0.0) << law;
     EXPECT_NEAR(seatbelt.last("top.force_N"), seatbelt.last("bottom.force_N"), 0.05 * seatbelt.last("top.force_N"))
