@@ -184,9 +184,10 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
       key<&YarnFile::bending_out_of_plane>(
           {.name = "bending_out_of_plane",
            .unit = "N mm^2",
-           .doc = "flexural stiffness of one yarn out of the fabric's plane, dM/dkappa against its curvature kappa "
-                  "(1/mm), pieces as for `tension` with `from` and `to` in 1/mm; a constant is one piece; left out: "
-                  "unknown, and a model that bends must say it"}),
+           .doc =
+               "flexural stiffness of one yarn out of the fabric's plane, dM/dkappa against its curvature kappa "
+               "(1/mm), pieces as for `tension` with `from` and `to` in 1/mm, at most 255 of them and of degree 5; a "
+               "constant is one piece; left out: unknown, and a model that bends must say it"}),
       key<&YarnFile::bending_in_plane>({.name = "bending_in_plane",
                                         .unit = "N mm^2",
                                         .doc = "the same in the fabric's plane; left out: that out of the plane"}),

@@ -165,8 +165,16 @@ BendKernels shaped_kernels(bool isotropic) {
   return {&bend_row<false, Flexure>, &loose_bends<false, Flexure>};
 }
 
-BendKernels bend_kernels(bool curved, bool isotropic) {
-  return curved ? shaped_kernels<CurvedFlexure>(isotropic) : shaped_kernels<ConstantFlexure>(isotropic);
+BendKernels bend_kernels(MomentShape shape, bool isotropic) {
+  switch (shape) {
+    case MomentShape::constant:
+      return shaped_kernels<ConstantFlexure>(isotropic);
+    case MomentShape::short_law:
+      return shaped_kernels<CurvedFlexure>(isotropic);
+    case MomentShape::long_law:
+      break;
+  }
+  return shaped_kernels<LongFlexure>(isotropic);
 }
 
 void twist_row(const BendRows& row_pointers, const double* stiffness, int begin, int end,

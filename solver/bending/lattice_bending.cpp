@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "core/error.hpp"
 #include "solver/bending/bend_kernels.hpp"
 #include "solver/bending/bending_energy.hpp"
+#include "solver/bending/moment_law.hpp"
 #include "solver/state/row_blocks.hpp"
 
 namespace weaveform {
@@ -16,37 +17,44 @@ namespace {
 // The curvature that the stable step is bounded up to: a yarn folded flat at one crossing.
 constexpr double fold = 3.2;  // rad
 
-// Moment laws in the shape the inner loop wants.
+// Moment laws in the shape the inner loop wants: one for all of them, the least simple that any needs.
 struct FlexureShape {
+  MomentShape shape = MomentShape::constant;
   std::array<ConstantFlexure, 2> constant;
   std::array<CurvedFlexure, 2> curved;
-  bool is_curved = false;
+  std::array<LongFlexure, 2> looked_up{};
+  std::vector<std::shared_ptr<const LongLaw>> pieces;  // of looked_up
   [[nodiscard]] const void* pointer(int f) const {
-    return is_curved ? static_cast<const void*>(&curved[f]) : &constant[f];
+    switch (shape) {
+      case MomentShape::constant:
+        return &constant[f];
+      case MomentShape::short_law:
+        return &curved[f];
+      case MomentShape::long_law:
+        break;
+    }
+    return &looked_up[f];
   }
   // Only constants that are alike spare the normal: a curved law depends on each part of the curvature by itself.
   [[nodiscard]] bool isotropic() const {
-    return !is_curved && constant[0].in == constant[0].out && constant[1].in == constant[1].out;
+    return shape == MomentShape::constant && constant[0].in == constant[0].out && constant[1].in == constant[1].out;
   }
 };
-
-bool is_constant(const TangentLaw& law) {
-  return law.pieces().empty() || (law.pieces().size() == 1 && law.pieces()[0].coefficient.size() == 1);
-}
-
-GeneralLaw packed_moment(const TangentLaw& law) {
-  GeneralLaw packed;
-  if (!law.pieces().empty() && !pack_law(law, packed))
-    throw InputError("material: a bending law has more than 6 pieces or a stiffness above degree 5; simplify it");
-  return packed;
-}
 
 FlexureShape shape_flexure(const Flexure& flexure) {
   FlexureShape shape;
   for (int f = 0; f < 2; ++f) {
-    shape.is_curved |= !is_constant(flexure.in_plane[f]) || !is_constant(flexure.out_of_plane[f]);
+    for (const TangentLaw* law : {&flexure.in_plane[f], &flexure.out_of_plane[f]})
+      shape.shape = std::max(shape.shape, moment_shape(*law));
     shape.constant[f] = {flexure.in_plane[f].tangent(0.0), flexure.out_of_plane[f].tangent(0.0)};
-    shape.curved[f] = {packed_moment(flexure.in_plane[f]), packed_moment(flexure.out_of_plane[f])};
+  }
+  for (int f = 0; f < 2; ++f) {
+    const TangentLaw &in = flexure.in_plane[f], &out = flexure.out_of_plane[f];
+    if (shape.shape == MomentShape::short_law) shape.curved[f] = {packed_moment(in), packed_moment(out)};
+    if (shape.shape != MomentShape::long_law) continue;
+    shape.pieces.push_back(long_moment(in));
+    shape.pieces.push_back(long_moment(out));
+    shape.looked_up[f] = {shape.pieces[2 * f].get(), shape.pieces[2 * f + 1].get()};
   }
   return shape;
 }
@@ -157,7 +165,7 @@ struct LatticeBending::Parts {
         flexure(chosen),
         every(steps),
         shape(shape_flexure(chosen)),
-        kernels(bend_kernels(shape.is_curved, shape.isotropic())),
+        kernels(bend_kernels(shape.shape, shape.isotropic())),
         block(balanced_blocks(p, its_team.threads())) {
     if (flexure.bends_yarns) bends = find_bends(mesh, held);
     if (flexure.rotation_free && flexure.twist > 0.0) twist_cells = find_twist_cells(mesh);

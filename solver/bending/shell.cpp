@@ -5,8 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "core/error.hpp"
+#include "solver/bending/moment_law.hpp"
 #include "solver/bending/shell_energy.hpp"
 #include "solver/bending/shell_kernels.hpp"
 #include "solver/state/row_blocks.hpp"
@@ -16,10 +17,37 @@ namespace {
 
 constexpr double inertia_margin = 1.5;  // on the rotary inertia that the step needs
 
-struct MomentShape {
+// A family's law in the shape the inner loop wants.
+struct ShellMoment {
+  MomentShape shape = MomentShape::constant;
   ConstantMoment constant;
   CurvedMoment curved;
+  LongMoment looked_up{};
+  std::shared_ptr<const LongLaw> pieces;  // of looked_up
+  [[nodiscard]] const void* pointer() const {
+    switch (shape) {
+      case MomentShape::constant:
+        return &constant;
+      case MomentShape::short_law:
+        return &curved;
+      case MomentShape::long_law:
+        break;
+    }
+    return &looked_up;
+  }
 };
+
+ShellMoment shell_moment(const TangentLaw& law) {
+  ShellMoment moment;
+  moment.shape = moment_shape(law);
+  moment.constant = {law.tangent(0.0)};
+  if (moment.shape == MomentShape::short_law) moment.curved.law = packed_moment(law);
+  if (moment.shape == MomentShape::long_law) {
+    moment.pieces = long_moment(law);
+    moment.looked_up.law = moment.pieces.get();
+  }
+  return moment;
+}
 
 // Edges that are not in rows.
 struct LooseEdges {
@@ -100,8 +128,7 @@ struct Shell::Parts {
   const State& state;
   Flexure flexure;
   double damping;
-  std::array<MomentShape, 2> moment;
-  std::array<bool, 2> is_curved{};
+  std::array<ShellMoment, 2> moment;
   std::array<EdgeKernels, 2> kernels{};
   std::vector<ShellEdge> edges;
   RowRuns warp_runs, weft_runs;  // padded, like twist_runs
@@ -134,7 +161,10 @@ struct Shell::Parts {
         weft_runs(padded_runs(p.weft_runs)),
         cells(flexure.twist > 0.0 ? find_twist_cells(m) : std::vector<TwistCell>{}),
         block(balanced_blocks(p, setup.team.threads())) {
-    for (int f = 0; f < 2; ++f) shape_moment(f);
+    for (int f = 0; f < 2; ++f) {
+      moment[f] = shell_moment(flexure.shell[f]);
+      kernels[f] = edge_kernels(moment[f].shape);
+    }
     place_edges();
     place_twist();
     for (int t = 0; t < team.threads(); ++t)
@@ -145,18 +175,6 @@ struct Shell::Parts {
     inertia.assign(packed.nodes, 0.0);
     inverse_inertia.assign(packed.nodes, 0.0);
     sums.resize(packed.rows + 1);
-  }
-
-  void shape_moment(int f) {
-    const TangentLaw& law = flexure.shell[f];
-    is_curved[f] = law.pieces().size() > 1 || law.pieces()[0].coefficient.size() > 1;
-    moment[f].constant = {law.tangent(0.0)};
-    if (!pack_law(law, moment[f].curved.law))
-      throw InputError("material: a bending law has more than 6 pieces or a stiffness above degree 5; simplify it");
-    kernels[f] = edge_kernels(is_curved[f]);
-  }
-  [[nodiscard]] const void* moment_pointer(int f) const {
-    return is_curved[f] ? static_cast<const void*>(&moment[f].curved) : &moment[f].constant;
   }
 
   void place_edges() {
@@ -237,7 +255,7 @@ struct Shell::Parts {
   void edges_of_row(int f, int j, const RowRuns& runs, const ShellRows& rows, EdgeBuffers& buffers) {
     const double shear = flexure.transverse_shear * card.yarn[f].interval * packed.spacing[f];
     for (int r = runs.first[j]; r < runs.first[j + 1]; ++r)
-      kernels[f].row(moment_pointer(f), rows, 1.0 / packed.spacing[f],
+      kernels[f].row(moment[f].pointer(), rows, 1.0 / packed.spacing[f],
                      yarns[f].data() + static_cast<std::size_t>(j) * packed.stride, shear, runs.run[r].begin,
                      runs.run[r].end, buffers.output());
   }
@@ -296,7 +314,7 @@ struct Shell::Parts {
     for (int f = 0; f < 2; ++f) {
       auto& list = loose[f];
       const EdgeOutput out = list.output();
-      kernels[f].loose(moment_pointer(f), list.view(), x, d, out);
+      kernels[f].loose(moment[f].pointer(), list.view(), x, d, out);
       for (int c = 0; c < 3; ++c)
         for (int e = 0; e < list.size(); ++e) {
           const int a = list.node0[e], b = list.node1[e];
