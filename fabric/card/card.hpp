@@ -45,8 +45,10 @@ struct BendingCard {
 
 struct Card {
   std::string name;
-  std::string source;            // where its numbers come from
-  double thickness = 0.0;        // mm; after consolidation (Table 1)
+  std::string source;      // where its numbers come from
+  double thickness = 0.0;  // mm; after consolidation (Table 1)
+  // N/mm^3; pressure of a rigid face over the way it sinks in. None: not known.
+  std::optional<double> through_thickness_stiffness;
   std::array<YarnCard, 2> yarn;  // [0] warp, [1] weft
   ShearCard shear;
   BendingCard bending;

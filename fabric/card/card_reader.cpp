@@ -260,8 +260,13 @@ Card read_card_text(const std::string& text, const std::string& name) {
   HeadFile head;
   read_keys(root, "a card", head_keys(), head, complaints, {"yarn", "shear", "bending"});
   require_keys(root, "the card", head_keys(), complaints);
-  Card card{
-      .name = head.name, .source = head.source, .thickness = head.thickness, .yarn = {}, .shear = {}, .bending = {}};
+  Card card{.name = head.name,
+            .source = head.source,
+            .thickness = head.thickness,
+            .through_thickness_stiffness = head.through_thickness_stiffness,
+            .yarn = {},
+            .shear = {},
+            .bending = {}};
   read_yarns(root, card, complaints);
   read_shear(root, card, complaints);
   read_bending(root, card, complaints);
@@ -270,7 +275,8 @@ Card read_card_text(const std::string& text, const std::string& name) {
 }
 
 std::string card_to_toml(const Card& card) {
-  std::string text = write_keys(head_keys(), HeadFile{card.name, card.source, card.thickness});
+  std::string text = write_keys(
+      head_keys(), HeadFile{card.name, card.source, card.thickness, card.through_thickness_stiffness}, Echo::given);
   for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     text += "\n[yarn." + yarn_families[f] + "]\n" + write_keys(yarn_keys(), file_of(card.yarn[f]), Echo::given);
   }

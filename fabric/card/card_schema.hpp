@@ -13,7 +13,8 @@ namespace weaveform {
 struct HeadFile {
   std::string name;
   std::string source;
-  double thickness = 0.0;  // mm
+  double thickness = 0.0;                             // mm
+  std::optional<double> through_thickness_stiffness;  // N/mm^3
 };
 
 struct YarnFile {

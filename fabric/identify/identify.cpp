@@ -105,8 +105,11 @@ void make_card(Identification& found, const std::string& replaced, const std::st
     found.warnings.insert(found.warnings.end(), said.begin(), said.end());
     found.replaces_other = !said.empty();
   }
-  found.card_text = "# Made by weaveform fit. Units: mm, MPa, tex; angles in degrees.\n" +
-                    write_keys(head_keys(), HeadFile{head.name, source, found.spec.thickness()});
+  found.card_text =
+      "# Made by weaveform fit. Units: mm, MPa, tex; angles in degrees.\n" +
+      write_keys(head_keys(),
+                 HeadFile{head.name, source, found.spec.thickness(), found.spec.base.through_thickness_stiffness},
+                 Echo::given);
   for (std::size_t f = 0; f < yarn_families.size(); ++f)
     found.card_text +=
         fmt::format("\n[yarn.{}]\n{}", yarn_families[f], write_keys(yarn_keys(), parts.yarn[f], Echo::given));

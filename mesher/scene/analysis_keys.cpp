@@ -53,7 +53,13 @@ const std::vector<Key<AnalysisSpec>>& analysis_keys() {
            .limits = above(0, 1),
            .doc = "factor on the stiffness of contact: below 1 the fabric sinks further into the tools (the greatest "
                   "penetration is in the summary), and contact takes less of the step; auto: 0.5, and 1 with "
-                  "`step_bound = \"stiffest\"`"}),
+                  "`step_bound = \"stiffest\"`, but nowhere stiffer than the card's `through_thickness_stiffness`"}),
+      key<&AnalysisSpec::curved_contact>(
+          {.name = "curved_contact",
+           .doc =
+               "contact that knows the curve between its nodes: each yarn's kink at a node lifts it off the tool by "
+               "kink * length / 24, so that chords have the length of the arc, and Coulomb's limit is that of a belt "
+               "over the kink, exp(mu kink), along the kink's bisector (docs/contact.md)"}),
       key<&AnalysisSpec::step_check>({.name = "step_check", .doc = "stop when the step is above the stable one"}),
       key<&AnalysisSpec::damping>(
           {.name = "damping",

@@ -164,8 +164,9 @@ struct AnalysisSpec {
   int bending_every = 1;    // steps from one evaluation of bending to the next
   double mass_scale = 1.0;  // factor on the fabric's mass, not on its weight
   Auto contact_stiffness;   // 1; factor on the contact springs of the tools; auto: 0.5, with step_bound "stiffest" 1
-  bool step_check = true;   // stop when the step is above the stable one
-  Auto damping;             // 1/s; mass-proportional; auto: chosen from the duration
+  bool curved_contact = false;   // each yarn's kink lifts nodes and bounds friction (solver/contact/chord_kinks.hpp)
+  bool step_check = true;        // stop when the step is above the stable one
+  Auto damping;                  // 1/s; mass-proportional; auto: chosen from the duration
   double yarn_viscosity = 0.06;  // 1; fraction of critical damping of the yarn elements' highest frequency
   double energy_limit = 0.05;    // the run fails when the energy-balance error passes this fraction
   std::array<double, 3> gravity = {0.0, 0.0, 0.0};  // mm/s^2; acceleration of the fabric by its weight

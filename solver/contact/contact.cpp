@@ -41,6 +41,7 @@ Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start,
     mass_[p] = packed.mass[p];
     mesh_of_packed_[p] = mesh.shown_node(n);
   }
+  if (ply.curved) curved_.emplace(mesh, packed);
   for (std::size_t t = 0; t < tools.tools().size(); ++t) {
     const Tool& tool = tools.tools()[t].tool;
     touch_.push_back(make_touch(tool, own != nullptr ? (*own)[t].offset : tool.offset, start));
@@ -64,6 +65,7 @@ Contact::Touch Contact::make_touch(const Tool& tool, double offset, const State&
   touch.measured.assign(block_count(), 0);
   touch.sums.resize(block_count());
   touch.depth.assign(block_count(), 0.0);
+  if (curved_) touch.curved = curved_->new_memory();
   if (tool.shape == ToolShape::triangles) {
     touch.hint.assign(packed_.nodes, 0);
     touch.far.assign(packed_.nodes, -std::numeric_limits<double>::infinity());
@@ -138,15 +140,16 @@ ContactNodes Contact::block_nodes(int block, Touch& touch, State& state) const {
 // A closest triangle is dear, a point far from it most of all. A distance changes by no more than point and tool move,
 // so that most points need no new one: they get a lower bound, which contact, seeing no touch, takes for the distance.
 void Contact::triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
-                                 Distances& distances) {
+                                 Distances& distances) const {
   constexpr double rounding = 1e-9;  // mm
+  const double near = touch.law.offset + rounding + (curved_ ? curved_->greatest_lift() : 0.0);
   for (int n = 0; n < nodes.count; ++n) {
     const int node = first + n;
     const Vec3 moved = {nodes.x[0][n] - touch.measured_at[0][node], nodes.x[1][n] - touch.measured_at[1][node],
                         nodes.x[2][n] - touch.measured_at[2][node]};
     const double bound =
         touch.far[node] - tool.way - std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
-    if (bound > touch.law.offset + rounding) {
+    if (bound > near) {
       distances.distance[n] = bound;
       for (int c = 0; c < 3; ++c) distances.normal[c][n] = c == 2 ? 1.0 : 0.0;
       continue;
@@ -186,12 +189,24 @@ void Contact::treat_block(int block, State& state, double step) {
                      distances);
     else
       triangle_distances(touch, moving, nodes, block * points_at_a_time, distances);
-    const double gap = least_gap(distances, touch.law.offset, nodes);
+    double gap = least_gap(distances, touch.law.offset, nodes);
     if (was_clear) reset_anchors(tool, nodes);
-    clearance = std::max(gap, 0.0);
-    if (gap > 0.0) continue;
-    touch.depth[block] = -gap;
-    touch.sums[block] = contact_forces(touch.law, tool, distances, step, nodes);
+    ChordTerms terms;
+    const int first = block * points_at_a_time;
+    if (curved_) {
+      if (was_clear) CurvedContact::forget(touch.curved, first, nodes.count);
+      clearance = std::max(gap - curved_->greatest_lift(), 0.0);
+      if (clearance > 0.0) continue;
+      curved_->lift_block(state, first, nodes.count, touch.law.friction, distances, terms);
+      gap = least_gap(distances, touch.law.offset, nodes);
+    } else {
+      clearance = std::max(gap, 0.0);
+      if (gap > 0.0) continue;
+    }
+    touch.depth[block] = std::max(-gap, 0.0);
+    touch.sums[block] = curved_ ? chord_forces(touch.law, tool, distances, terms, step, nodes,
+                                               {touch.curved.lift.data() + first, touch.curved.normal.data() + first})
+                                : contact_forces(touch.law, tool, distances, step, nodes);
     touch.measured[block] = 1;
   }
 }
@@ -223,7 +238,8 @@ void Contact::check(std::size_t number, const State& state) const {
     int hint = 0;
     tool_distances(moving.tool, moving.place(), {&state.position[0][n], &state.position[1][n], &state.position[2][n]},
                    1, &hint, found);
-    if (mass_[n] == 0.0 || touch_[number].law.offset - found.distance[0] < deepest) continue;
+    const double lift = curved_ ? CurvedContact::last_lift(touch_[number].curved, n) : 0.0;
+    if (mass_[n] == 0.0 || touch_[number].law.offset + lift - found.distance[0] < deepest * (1.0 - 1e-9)) continue;
     throw PhysicsError(fmt::format(
         "at t = {:.4g} s, step {}: node {} at ({:.6g}, {:.6g}, {:.6g}) mm has gone {:.4g} mm into tool '{}', more than "
         "the fabric's thickness ({:.4g} mm); load more slowly, see whether the tools can close, or, where friction or "
@@ -244,7 +260,7 @@ void Contact::add_stiffness_bound(const std::vector<Vec3>& /*position*/, double 
     rates.push_back((tools_.tools()[k].motion.pushed() ? 1.0 + coupling_split : 1.0) * touch_[k].law.frequency2 +
                     touch_[k].law.damping_rate * greatest);
   std::sort(rates.rbegin(), rates.rend());
-  const double rate = rates.front() + (rates.size() > 1 ? rates[1] : 0.0);
+  const double rate = (curved_ ? curved_stiffness : 1.0) * (rates.front() + (rates.size() > 1 ? rates[1] : 0.0));
   for (std::size_t n = 0; n < bound.size(); ++n) bound[n] += rate * mass_[packed_.packed_of_mesh[n]];
 }
 
@@ -255,6 +271,7 @@ void Contact::archive(Archive& archive) {
     for (auto& component : touch.drag) archive.numbers("a contact's drag", component);
     archive.numbers("a clearance", touch.clearance, infinite_too);
     archive_load(archive, loads_[k]);
+    if (curved_) CurvedContact::archive(touch.curved, archive);
     if (touch.hint.empty()) continue;
     archive.indices("a triangle that the tool does not have", touch.hint, 0,
                     tools_.tools()[k].tool.surface->size() - 1);

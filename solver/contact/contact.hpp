@@ -11,12 +11,14 @@
 // Blocks are summed in order: the same bits for any number of threads.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/contact/contact_kernel.hpp"
+#include "solver/contact/curved_contact.hpp"
 #include "solver/contact/rigid_tools.hpp"
 #include "solver/state/actor.hpp"
 #include "solver/state/contact_state.hpp"
@@ -70,12 +72,13 @@ private:
     std::vector<int> hint;          // per node, of triangles
     Components measured_at;         // mm; per node, of triangles: where its distance was last measured,
     Doubles far;                    // mm; that distance plus the tool's way so far then (-inf: never)
+    CurvedContact::Memory curved;   // empty without
   };
   [[nodiscard]] Touch make_touch(const Tool& tool, double offset, const State& start) const;
   void refuse_penetration(const State& start) const;
   void treat_block(int block, State& state, double step);
-  static void triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
-                                 Distances& distances);
+  void triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
+                          Distances& distances) const;
   static void sum_blocks(const Touch& touch, bool moved, ToolLoad& load);
   void check(std::size_t tool, const State& state) const;
   [[nodiscard]] ContactNodes block_nodes(int block, Touch& touch, State& state) const;
@@ -89,6 +92,7 @@ private:
   Doubles mass_;      // tonne; 0 where no node is
   Doubles area_;      // mm^2; of the fabric around each node
   std::vector<int> mesh_of_packed_;
+  std::optional<CurvedContact> curved_;
   std::vector<Touch> touch_;     // one for each tool
   std::vector<ToolLoad> loads_;  // likewise
   double wall_s_ = 0.0;

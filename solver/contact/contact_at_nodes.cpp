@@ -34,6 +34,32 @@ NodeContact node_contact(const ContactLaw& law, const ContactTool& tool, const D
   return {normal, slips ? FrictionState::slip : FrictionState::stick};
 }
 
+// The same with what the node's kinks mean.
+NodeContact curved_node_contact(const ContactLaw& law, const ContactTool& tool, const Distances& found,
+                                const ChordTerms& terms, ContactNodes node) {
+  double force[3] = {0.0, 0.0, 0.0}, anchor[3], drag[3] = {0.0, 0.0, 0.0}, lift = terms.lift[0], pressed = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    anchor[c] = *node.anchor[c];
+    node.force[c] = &force[c];
+    node.anchor[c] = &anchor[c];
+    node.drag[c] = &drag[c];
+  }
+  (void)chord_forces(law, tool, found, terms, 0.0, node, {&lift, &pressed});
+  double normal = 0.0, shift2 = 0.0, q2 = 0.0, along = 0.0;
+  for (int c = 0; c < 3; ++c) normal += force[c] * found.normal[c][0];
+  if (normal <= 0.0) return {};
+  for (int c = 0; c < 3; ++c) {
+    const double a = terms.shift[c][0], q = force[c] - normal * (found.normal[c][0] + a);
+    shift2 += a * a;
+    q2 += q * q;
+    along += q * a;
+  }
+  const double cosine = 1.0 / std::sqrt(1.0 + shift2), m = terms.friction[0];
+  const double across = std::max(0.0, q2 - std::pow(along * cosine, 2));
+  const bool slips = std::sqrt(across) - m * along * cosine >= m * normal / cosine * (1.0 - limit_tolerance);
+  return {normal, slips ? FrictionState::slip : FrictionState::stick};
+}
+
 }  // namespace
 
 ContactState Contact::contact_state(const State& state) const {
@@ -60,10 +86,13 @@ ContactState Contact::contact_state(const State& state) const {
       int hint = touch.hint.empty() ? 0 : touch.hint[n];
       Distances found;
       tool_distances(moving.tool, moving.place(), {node.x[0], node.x[1], node.x[2]}, 1, &hint, found);
+      ChordTerms terms;
+      if (curved_) curved_->lift_block(state, n, 1, touch.law.friction, found, terms);
       const double here = found.distance[0] - touch.law.offset;
       gap = std::min(gap, here);
       if (here >= 0.0 || mass_[n] <= 0.0) continue;
-      const NodeContact contact = node_contact(touch.law, moving.contact_tool(), found, node);
+      const NodeContact contact = curved_ ? curved_node_contact(touch.law, moving.contact_tool(), found, terms, node)
+                                          : node_contact(touch.law, moving.contact_tool(), found, node);
       if (contact.normal <= 0.0) continue;
       ++count;
       if (contact.normal <= greatest.normal) continue;

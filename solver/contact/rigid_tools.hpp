@@ -31,6 +31,7 @@ struct SprungPly {
   double mass = 0.0;              // tonne
   double frequency = 0.0;         // 1/s; omega of the springs
   double fabric_frequency = 0.0;  // 1/s; the greatest of the ply's own
+  bool curved = false;            // contact that knows the curve between nodes (curved_contact.hpp)
 };
 
 // How a spring to a pushed tool is shared between node and tool: k (u - U)^2 <= (1 + e) k u^2 + (1 + 1/e) k U^2.

@@ -1,0 +1,17 @@
+#include "core/instructions/choose_loops.hpp"
+#include "solver/contact/chord_kernel.hpp"
+
+namespace weaveform {
+
+WEAVEFORM_CHOOSE_LOOPS(ChordLoops, chord_loops)
+
+void chord_terms(const ChordLattice& lattice, const Distances& distances, double friction, ChordTerms& terms) {
+  chosen_chord_loops().chord_terms(lattice, distances, friction, terms);
+}
+
+ContactSums chord_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,
+                         const ChordTerms& terms, double time, const ContactNodes& nodes, const ChordMemory& memory) {
+  return chosen_chord_loops().chord_forces(law, tool, distances, terms, time, nodes, memory);
+}
+
+}  // namespace weaveform

@@ -1,0 +1,77 @@
+#include "solver/contact/curved_contact.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace weaveform {
+namespace {
+
+constexpr double never_lifted = 1e30;  // mm
+constexpr double greatest_kink = 2.5;  // rad; as chord_kernel.cpp has the kink of chords that lie on each other
+constexpr double per_kink_and_length = 1.0 / 24.0;
+
+}  // namespace
+
+CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed) {
+  for (int f = 0; f < 2; ++f) {
+    before_[f].resize(packed.nodes);
+    std::iota(before_[f].begin(), before_[f].end(), 0);
+    after_[f] = before_[f];
+    length_[f].assign(packed.nodes, 0.0);
+  }
+  std::array<std::vector<double>, 2> length_before = {std::vector<double>(packed.nodes, 0.0),
+                                                      std::vector<double>(packed.nodes, 0.0)};
+  std::array<std::vector<double>, 2> length_after = length_before;
+  for (int e = 0; e < mesh.yarn_count(); ++e) {
+    const auto [a, b] = mesh.yarns.node[e];
+    // free yarn ends follow their crossing: no chord of theirs bears anything
+    if (mesh.nodes.crossing[a][0] < 0 || mesh.nodes.crossing[b][0] < 0) continue;
+    const int f = mesh.yarns.family[e] == Family::warp ? 0 : 1, pa = packed.packed_of_mesh[a],
+              pb = packed.packed_of_mesh[b];
+    after_[f][pa] = pb;
+    length_after[f][pa] = mesh.yarns.rest_length[e];
+    before_[f][pb] = pa;
+    length_before[f][pb] = mesh.yarns.rest_length[e];
+  }
+  for (int f = 0; f < 2; ++f)
+    for (int n = 0; n < packed.nodes; ++n) {
+      if (length_before[f][n] == 0.0 || length_after[f][n] == 0.0) continue;
+      length_[f][n] = 0.5 * (length_before[f][n] + length_after[f][n]);
+      greatest_lift_ = std::max(greatest_lift_, length_[f][n] * greatest_kink * per_kink_and_length);
+    }
+}
+
+CurvedContact::Memory CurvedContact::new_memory() const {
+  return {Doubles(before_[0].size(), never_lifted), Doubles(before_[0].size(), 0.0)};
+}
+
+void CurvedContact::forget(Memory& memory, int first, int count) {
+  std::fill_n(memory.lift.begin() + first, count, never_lifted);
+  std::fill_n(memory.normal.begin() + first, count, 0.0);
+}
+
+double CurvedContact::last_lift(const Memory& memory, int node) {
+  return memory.lift[node] < never_lifted ? memory.lift[node] : 0.0;
+}
+
+void CurvedContact::archive(Memory& memory, Archive& archive) {
+  archive.numbers("a lift", memory.lift);
+  archive.numbers("a contact's normal force", memory.normal);
+}
+
+void CurvedContact::lift_block(const State& state, int first, int count, double friction, Distances& distances,
+                               ChordTerms& terms) const {
+  ChordLattice lattice{};
+  lattice.count = count;
+  lattice.first = first;
+  for (int c = 0; c < 3; ++c) lattice.x[c] = state.position[c].data();
+  for (int f = 0; f < 2; ++f) {
+    lattice.before[f] = before_[f].data() + first;
+    lattice.after[f] = after_[f].data() + first;
+    lattice.length[f] = length_[f].data() + first;
+  }
+  chord_terms(lattice, distances, friction, terms);
+  for (int i = 0; i < count; ++i) distances.distance[i] -= terms.lift[i];
+}
+
+}  // namespace weaveform

@@ -1,0 +1,47 @@
+// What contact knows of the curve between its nodes (chord_kernel.hpp has the theory): the chords at each node, and what
+// each tool remembers of the step before.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesher/mesh/mesh.hpp"
+#include "solver/contact/chord_kernel.hpp"
+#include "solver/state/archive.hpp"
+#include "solver/state/packed.hpp"
+#include "solver/state/state.hpp"
+
+namespace weaveform {
+
+// Of the springs' row sums: a lift by kinks makes a node's depth p depend on its neighbours', for the kink of a node that
+// moves by u grows by 2u/h and its neighbours' shrink by u/h, of both families (1 + 4/24 + 4/24).
+inline constexpr double curved_stiffness = 4.0 / 3.0;
+
+class CurvedContact {
+public:
+  CurvedContact(const Mesh& mesh, const PackedMesh& packed);
+
+  // mm; no node is lifted further (its chords would lie on each other).
+  [[nodiscard]] double greatest_lift() const { return greatest_lift_; }
+
+  // What one tool remembers of each packed node.
+  struct Memory {
+    Doubles lift;    // mm
+    Doubles normal;  // N
+  };
+  [[nodiscard]] Memory new_memory() const;
+  static void forget(Memory& memory, int first, int count);
+  [[nodiscard]] static double last_lift(const Memory& memory, int node);  // mm; 0 where there was none
+  static void archive(Memory& memory, Archive& archive);
+
+  // The block's terms, whose lift is taken off the distances.
+  void lift_block(const State& state, int first, int count, double friction, Distances& distances,
+                  ChordTerms& terms) const;
+
+private:
+  std::array<std::vector<int>, 2> before_, after_;  // per packed node
+  std::array<Doubles, 2> length_;                   // mm; likewise
+  double greatest_lift_ = 0.0;
+};
+
+}  // namespace weaveform
