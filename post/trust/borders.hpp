@@ -11,6 +11,7 @@ namespace weaveform {
 
 using Warnings = std::vector<std::string>;
 
+void warn_of_bias_extension_mesh(const FinishedRun& run, Warnings& warnings);
 void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings);
 void warn_of_fast_loading(const FinishedRun& run, Warnings& warnings);
 void warn_of_folds_of_the_mesh(const FinishedRun& run, Warnings& warnings);

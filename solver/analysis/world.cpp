@@ -67,12 +67,14 @@ void World::make_ply_contact(const WorldSetup& setup) {
 
 void World::make_tools(const WorldSetup& setup) {
   std::vector<SprungPly> sprung;
+  std::optional<double> curved_after;
+  if (scene_.analysis.curved_contact) curved_after = curved_onset * duration_;
   for (const auto& ply : plies_)
     sprung.push_back(
         {.mass = ply->mass(),
          .frequency = tool_contact_frequency(scene_.analysis, setup.plies[sprung.size()].card, ply->fabric_step()),
          .fabric_frequency = 2.0 / ply->fabric_step(),
-         .curved = scene_.analysis.curved_contact});
+         .curved_after = curved_after});
   double least_spacing = std::numeric_limits<double>::infinity();
   for (const auto& ply : plies_)
     least_spacing = std::min({least_spacing, ply->mesh().spacing[0], ply->mesh().spacing[1]});

@@ -41,7 +41,7 @@ Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start,
     mass_[p] = packed.mass[p];
     mesh_of_packed_[p] = mesh.shown_node(n);
   }
-  if (ply.curved) curved_.emplace(mesh, packed);
+  if (ply.curved_after) curved_.emplace(mesh, packed, *ply.curved_after);
   for (std::size_t t = 0; t < tools.tools().size(); ++t) {
     const Tool& tool = tools.tools()[t].tool;
     touch_.push_back(make_touch(tool, own != nullptr ? (*own)[t].offset : tool.offset, start));

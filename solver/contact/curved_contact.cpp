@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/constraint/grips.hpp"
+
 namespace weaveform {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr double per_kink_and_length = 1.0 / 24.0;
 
 }  // namespace
 
-CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed) {
+CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed, double onset) : onset_(onset) {
   for (int f = 0; f < 2; ++f) {
     before_[f].resize(packed.nodes);
     std::iota(before_[f].begin(), before_[f].end(), 0);
@@ -71,7 +73,11 @@ void CurvedContact::lift_block(const State& state, int first, int count, double 
     lattice.length[f] = length_[f].data() + first;
   }
   chord_terms(lattice, distances, friction, terms);
-  for (int i = 0; i < count; ++i) distances.distance[i] -= terms.lift[i];
+  const double part = onset_ > 0.0 ? smooth_step(std::min(state.time / onset_, 1.0)) : 1.0;
+  for (int i = 0; i < count; ++i) {
+    terms.lift[i] *= part;
+    distances.distance[i] -= terms.lift[i];
+  }
 }
 
 }  // namespace weaveform

@@ -17,9 +17,12 @@ namespace weaveform {
 // moves by u grows by 2u/h and its neighbours' shrink by u/h, of both families (1 + 4/24 + 4/24).
 inline constexpr double curved_stiffness = 4.0 / 3.0;
 
+inline constexpr double curved_onset = 0.03;  // of the duration, as a pushed tool's force
+
 class CurvedContact {
 public:
-  CurvedContact(const Mesh& mesh, const PackedMesh& packed);
+  // `onset` (s): the lift grows from nothing, for a fabric that begins on a tool lies on it and not above.
+  CurvedContact(const Mesh& mesh, const PackedMesh& packed, double onset);
 
   // mm; no node is lifted further (its chords would lie on each other).
   [[nodiscard]] double greatest_lift() const { return greatest_lift_; }
@@ -41,7 +44,8 @@ public:
 private:
   std::array<std::vector<int>, 2> before_, after_;  // per packed node
   std::array<Doubles, 2> length_;                   // mm; likewise
-  double greatest_lift_ = 0.0;
+  double greatest_lift_ = 0.0;                      // mm
+  double onset_;                                    // s
 };
 
 }  // namespace weaveform

@@ -2,6 +2,7 @@
 // meets a half or quarter of a tool; readings are those of the whole.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct SprungPly {
   double mass = 0.0;              // tonne
   double frequency = 0.0;         // 1/s; omega of the springs
   double fabric_frequency = 0.0;  // 1/s; the greatest of the ply's own
-  bool curved = false;            // contact that knows the curve between nodes (curved_contact.hpp)
+  // s; contact that knows the curve between nodes (curved_contact.hpp) comes on in this time. None: it does not.
+  std::optional<double> curved_after;
 };
 
 // How a spring to a pushed tool is shared between node and tool: k (u - U)^2 <= (1 + e) k u^2 + (1 + 1/e) k U^2.
