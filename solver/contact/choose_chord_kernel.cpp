@@ -5,8 +5,13 @@ namespace weaveform {
 
 WEAVEFORM_CHOOSE_LOOPS(ChordLoops, chord_loops)
 
-void chord_terms(const ChordLattice& lattice, const Distances& distances, double friction, ChordTerms& terms) {
-  chosen_chord_loops().chord_terms(lattice, distances, friction, terms);
+void chord_turns(const ChordLattice& lattice, ChordTurns& turns) {
+  chosen_chord_loops().chord_turns(lattice, turns);
+}
+
+void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const Distances& distances,
+                 double friction, ChordTerms& terms) {
+  chosen_chord_loops().chord_terms(turns, length, count, distances, friction, terms);
 }
 
 ContactSums chord_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,

@@ -16,31 +16,69 @@ struct Kink {
   double shift[3];  // 1; a
 };
 
-// Of one yarn at one node with the chords before and after.
-[[gnu::always_inline]] inline Kink kink(const double (&before)[3], const double (&after)[3], const double (&n)[3],
-                                        bool exists) {
+struct Turn {
+  double turn[3], mean[3];
+};
+
+[[gnu::always_inline]] inline Turn turn_of(const double (&before)[3], const double (&after)[3]) {
   const double square1 = before[0] * before[0] + before[1] * before[1] + before[2] * before[2];
   const double square2 = after[0] * after[0] + after[1] * after[1] + after[2] * after[2];
   const double inverse1 = 1.0 / std::sqrt(square1 > least_square ? square1 : least_square);
   const double inverse2 = 1.0 / std::sqrt(square2 > least_square ? square2 : least_square);
-  double c[3], m[3];
+  double m[3];
+  Turn result;
 #pragma GCC unroll 3
   for (int k = 0; k < 3; ++k) {
     const double t1 = before[k] * inverse1, t2 = after[k] * inverse2;
-    c[k] = t2 - t1;
+    result.turn[k] = t2 - t1;
     m[k] = t2 + t1;
   }
   const double size = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
   const double inverse = 1.0 / std::sqrt(size > least_square ? size : least_square);
-  const double along = (m[0] * n[0] + m[1] * n[1] + m[2] * n[2]) * inverse;  // t.n
-  const double square = along * along, flat = 1.0 - (square < steepest ? square : steepest);
-  const bool counts = exists && square < steepest;
-  // -c.b = 2 sin(theta/2), b.n = sqrt(1 - (t.n)^2)
-  const double u = -(c[0] * n[0] + c[1] * n[1] + c[2] * n[2]) / std::sqrt(flat), u2 = u * u;
-  Kink result;
-  result.theta = counts ? u * (1.0 + u2 * (1.0 / 24.0 + u2 * (3.0 / 640.0))) : 0.0;
 #pragma GCC unroll 3
-  for (int k = 0; k < 3; ++k) result.shift[k] = (square * n[k] - along * m[k] * inverse) / flat;
+  for (int k = 0; k < 3; ++k) result.mean[k] = m[k] * inverse;
+  return result;
+}
+
+// `even`: neighbours stand at constant distances.
+template <bool even>
+void turns_of(const ChordLattice& lattice_given, int family, ChordTurns& turns) {
+  const ChordLattice lattice = lattice_given;
+  const double *x = lattice.x[0], *y = lattice.x[1], *z = lattice.x[2];
+  const int *before = lattice.before[family], *after = lattice.after[family];
+  const int step = family == 0 ? 1 : lattice.stride;
+  double *turn0 = turns.turn[family][0], *turn1 = turns.turn[family][1], *turn2 = turns.turn[family][2];
+  double *mean0 = turns.mean[family][0], *mean1 = turns.mean[family][1], *mean2 = turns.mean[family][2];
+#pragma omp simd
+  for (int i = 0; i < lattice.count; ++i) {
+    const int here = lattice.first + i, a = even ? here - step : before[i], b = even ? here + step : after[i];
+    const double back[3] = {x[here] - x[a], y[here] - y[a], z[here] - z[a]};
+    const double on[3] = {x[b] - x[here], y[b] - y[here], z[b] - z[here]};
+    const Turn t = turn_of(back, on);
+    turn0[i] = t.turn[0];
+    turn1[i] = t.turn[1];
+    turn2[i] = t.turn[2];
+    mean0[i] = t.mean[0];
+    mean1[i] = t.mean[1];
+    mean2[i] = t.mean[2];
+  }
+}
+
+void chord_turns(const ChordLattice& lattice, ChordTurns& turns) {
+  for (int family = 0; family < 2; ++family)
+    lattice.stride > 0 ? turns_of<true>(lattice, family, turns) : turns_of<false>(lattice, family, turns);
+}
+
+[[gnu::always_inline]] inline Kink kink(const double (&c)[3], const double (&t)[3], const double (&n)[3], bool exists) {
+  const double along = t[0] * n[0] + t[1] * n[1] + t[2] * n[2];
+  const double square = along * along;
+  const double inverse = 1.0 / (1.0 - (square < steepest ? square : steepest));
+  // -c.b = 2 sin(theta/2), b.n = sqrt(1 - (t.n)^2)
+  const double u = -(c[0] * n[0] + c[1] * n[1] + c[2] * n[2]) * std::sqrt(inverse), u2 = u * u;
+  Kink result;
+  result.theta = exists && square < steepest ? u * (1.0 + u2 * (1.0 / 24.0 + u2 * (3.0 / 640.0))) : 0.0;
+#pragma GCC unroll 3
+  for (int k = 0; k < 3; ++k) result.shift[k] = (square * n[k] - along * t[k]) * inverse;
   return result;
 }
 
@@ -71,20 +109,18 @@ struct Terms {
   return terms;
 }
 
-void chord_terms(const ChordLattice& lattice_given, const Distances& distances, double mu, ChordTerms& terms) {
-  const ChordLattice lattice = lattice_given;
-  const double *x = lattice.x[0], *y = lattice.x[1], *z = lattice.x[2];
+void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const Distances& distances,
+                 double mu, ChordTerms& terms) {
+  const double *warp_length = length[0], *weft_length = length[1];
 #pragma omp simd
-  for (int i = 0; i < lattice.count; ++i) {
+  for (int i = 0; i < count; ++i) {
     const double n[3] = {distances.normal[0][i], distances.normal[1][i], distances.normal[2][i]};
-    const int here = lattice.first + i;
-    const int a1 = lattice.before[0][i], b1 = lattice.after[0][i], a2 = lattice.before[1][i], b2 = lattice.after[1][i];
-    const double before1[3] = {x[here] - x[a1], y[here] - y[a1], z[here] - z[a1]};
-    const double after1[3] = {x[b1] - x[here], y[b1] - y[here], z[b1] - z[here]};
-    const double before2[3] = {x[here] - x[a2], y[here] - y[a2], z[here] - z[a2]};
-    const double after2[3] = {x[b2] - x[here], y[b2] - y[here], z[b2] - z[here]};
-    const double length1 = lattice.length[0][i], length2 = lattice.length[1][i];
-    const Kink warp = kink(before1, after1, n, length1 > 0.0), weft = kink(before2, after2, n, length2 > 0.0);
+    const double c1[3] = {turns.turn[0][0][i], turns.turn[0][1][i], turns.turn[0][2][i]};
+    const double t1[3] = {turns.mean[0][0][i], turns.mean[0][1][i], turns.mean[0][2][i]};
+    const double c2[3] = {turns.turn[1][0][i], turns.turn[1][1][i], turns.turn[1][2][i]};
+    const double t2[3] = {turns.mean[1][0][i], turns.mean[1][1][i], turns.mean[1][2][i]};
+    const double length1 = warp_length[i], length2 = weft_length[i];
+    const Kink warp = kink(c1, t1, n, length1 > 0.0), weft = kink(c2, t2, n, length2 > 0.0);
     const Terms mean = mean_terms(warp, weft, length1, length2, mu);
     terms.lift[i] = mean.lift;
     terms.friction[i] = mean.friction;
@@ -115,44 +151,44 @@ struct Contribution {
   const double total = elastic + c * engaged * approach;
   const double normal = total > 0.0 ? total : 0.0;
 
+  // what follows is written out: loops over components would keep the compiler from vectors of nodes
   const double dn = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
-  double t[3], w[3], centre[3], q[3];
-#pragma GCC unroll 3
-  for (int j = 0; j < 3; ++j) {
-    t[j] = d[j] - dn * n[j];
-    w[j] = v[j] + approach * n[j];
-    centre[j] = normal * a[j];
-    q[j] = -(k * t[j] + c * w[j]) - centre[j];
-  }
-  const double cosine2 = 1.0 / (1.0 + a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), cosine = std::sqrt(cosine2);
-  const double q_a = q[0] * a[0] + q[1] * a[1] + q[2] * a[2];
-  const double across = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - q_a * q_a * cosine2;
-  const double size = std::sqrt(across > 0.0 ? across : 0.0) - m * q_a * cosine, limit = m * normal / cosine;
+  const double t0 = d[0] - dn * n[0], t1 = d[1] - dn * n[1], t2 = d[2] - dn * n[2];
+  const double w0 = v[0] + approach * n[0], w1 = v[1] + approach * n[1], w2 = v[2] + approach * n[2];
+  const double centre0 = normal * a[0], centre1 = normal * a[1], centre2 = normal * a[2];
+  const double q0 = -(k * t0 + c * w0) - centre0, q1 = -(k * t1 + c * w1) - centre1, q2 = -(k * t2 + c * w2) - centre2;
+  const double a2 = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], cosine2 = 1.0 / (1.0 + a2), cosine = std::sqrt(cosine2);
+  const double q_a = q0 * a[0] + q1 * a[1] + q2 * a[2];
+  const double across = q0 * q0 + q1 * q1 + q2 * q2 - q_a * q_a * cosine2;
+  const double size = std::sqrt(across > 0.0 ? across : 0.0) - m * q_a * cosine,
+               limit = m * normal * (1.0 + a2) * cosine;
   const double cut = size > limit ? limit / size : 1.0;
-  const double inverse_k = k > 0.0 ? 1.0 / k : 0.0;
-
-  double slip_force = 0.0;  // of the spring's two forces, over the slip: mJ doubled
-#pragma GCC unroll 3
-  for (int j = 0; j < 3; ++j) {
-    stretch[j] = cut * t[j] - (1.0 - cut) * centre[j] * inverse_k;
-    slip_force += (t[j] - time * w[j] + stretch[j]) * (t[j] - stretch[j]);
-  }
+  const double shifted = (1.0 - cut) / (k > 0.0 ? k : 1.0);
+  stretch[0] = cut * t0 - shifted * centre0;
+  stretch[1] = cut * t1 - shifted * centre1;
+  stretch[2] = cut * t2 - shifted * centre2;
+  // of the spring's forces before and now over the slip: mJ doubled, by k
+  const double slip = (t0 - time * w0 + stretch[0]) * (t0 - stretch[0]) +
+                      (t1 - time * w1 + stretch[1]) * (t1 - stretch[1]) +
+                      (t2 - time * w2 + stretch[2]) * (t2 - stretch[2]);
   const double kept = stretch[0] * stretch[0] + stretch[1] * stretch[1] + stretch[2] * stretch[2];
 
   const double drag_before = drag[0] * n[0] + drag[1] * n[1] + drag[2] * n[2], drag_now = normal - elastic;
+  const double along0 = drag[0] - drag_before * n[0], along1 = drag[1] - drag_before * n[1],
+               along2 = drag[2] - drag_before * n[2];
+  const double now0 = -cut * c * w0, now1 = -cut * c * w1, now2 = -cut * c * w2;
+  drag[0] = drag_now * n[0] + now0;
+  drag[1] = drag_now * n[1] + now1;
+  drag[2] = drag_now * n[2] + now2;
   Contribution out;
-  double drag_power = 0.0;
-#pragma GCC unroll 3
-  for (int j = 0; j < 3; ++j) {
-    const double along = drag[j] - drag_before * n[j], now = -cut * c * w[j];
-    drag_power += (along + now) * w[j];
-    drag[j] = drag_now * n[j] + now;
-    out.force[j] = normal * n[j] + centre[j] + cut * q[j];
-  }
+  out.force[0] = normal * n[0] + centre0 + cut * q0;
+  out.force[1] = normal * n[1] + centre1 + cut * q1;
+  out.force[2] = normal * n[2] + centre2 + cut * q2;
+  const double drag_power = (along0 + now0) * w0 + (along1 + now1) * w1 + (along2 + now2) * w2;
   out.normal = elastic;
   out.area = p > 0.0 ? area : 0.0;
   out.energy = stored_normal + 0.5 * k * kept;
-  out.friction_work = 0.5 * k * slip_force - 0.5 * time * drag_power;
+  out.friction_work = 0.5 * k * slip - 0.5 * time * drag_power;
   out.damping_work = 0.5 * time * (drag_before + drag_now) * approach;
   return out;
 }
@@ -209,6 +245,9 @@ ContactSums chord_forces(const ContactLaw& law_given, const ContactTool& tool_gi
 }  // namespace
 
 extern const ChordLoops chord_loops;
-const ChordLoops chord_loops = {.chord_terms = chord_terms, .chord_forces = chord_forces};
+const ChordLoops chord_loops = {.chord_turns = chord_turns,
+
+                                .chord_terms = chord_terms,
+                                .chord_forces = chord_forces};
 
 }  // namespace weaveform::WEAVEFORM_SET

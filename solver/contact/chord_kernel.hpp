@@ -34,10 +34,17 @@ namespace weaveform {
 struct ChordLattice {
   int count;
   int first;                        // packed index of the block's first node
+  int stride;                       // > 0: neighbours along the warp are those beside, along the weft so far off
   const double* x[3];               // mm
   const int *before[2], *after[2];  // packed index along warp and weft; the node itself where there is none
-  const double* length[2];          // mm; h_f, 0 where one of both is missing
 };
+
+// Of a block's nodes, whatever tool they touch.
+struct ChordTurns {
+  double turn[2][3][points_at_a_time];  // 1; unit direction after less that before
+  double mean[2][3][points_at_a_time];  // 1; t
+};
+void chord_turns(const ChordLattice& lattice, ChordTurns& turns);
 
 // What the kinks of a block's nodes mean at one tool.
 struct ChordTerms {
@@ -45,7 +52,9 @@ struct ChordTerms {
   double friction[points_at_a_time];  // 1; m
   double shift[3][points_at_a_time];  // 1; a
 };
-void chord_terms(const ChordLattice& lattice, const Distances& distances, double friction, ChordTerms& terms);
+// `length`: per family and node, mm; h_f, 0 where one of both chords is missing.
+void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const Distances& distances,
+                 double friction, ChordTerms& terms);
 
 // Of the step before: lift (mm; 1e30: there was none) and normal force (N); then those of now.
 struct ChordMemory {
@@ -58,6 +67,7 @@ struct ChordMemory {
 
 // One compilation of the functions above (core/instructions/choose_loops.hpp).
 struct ChordLoops {
+  decltype(&weaveform::chord_turns) chord_turns;
   decltype(&weaveform::chord_terms) chord_terms;
   decltype(&weaveform::chord_forces) chord_forces;
 };

@@ -170,6 +170,8 @@ void Contact::triangle_distances(Touch& touch, const MovingTool& tool, const Con
 void Contact::treat_block(int block, State& state, double step) {
   constexpr double rounding = 1.0 + 1e-9;  // of speeds, ways and times
   double speed = -1.0;                     // mm/s; greatest of the block's nodes, measured when wanted
+  ChordTurns turns;                        // likewise
+  bool turned = false;
   for (std::size_t k = 0; k < touch_.size(); ++k) {
     Touch& touch = touch_[k];
     const MovingTool& moving = tools_.tools()[k];
@@ -197,7 +199,9 @@ void Contact::treat_block(int block, State& state, double step) {
       if (was_clear) CurvedContact::forget(touch.curved, first, nodes.count);
       clearance = std::max(gap - curved_->greatest_lift(), 0.0);
       if (clearance > 0.0) continue;
-      curved_->lift_block(state, first, nodes.count, touch.law.friction, distances, terms);
+      if (!turned) curved_->find_turns(state, first, nodes.count, turns);
+      turned = true;
+      curved_->lift_block(turns, state.time, first, nodes.count, touch.law.friction, distances, terms);
       gap = least_gap(distances, touch.law.offset, nodes);
     } else {
       clearance = std::max(gap, 0.0);

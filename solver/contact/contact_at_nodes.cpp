@@ -87,7 +87,11 @@ ContactState Contact::contact_state(const State& state) const {
       Distances found;
       tool_distances(moving.tool, moving.place(), {node.x[0], node.x[1], node.x[2]}, 1, &hint, found);
       ChordTerms terms;
-      if (curved_) curved_->lift_block(state, n, 1, touch.law.friction, found, terms);
+      if (curved_) {
+        ChordTurns turns;
+        curved_->find_turns(state, n, 1, turns);
+        curved_->lift_block(turns, state.time, n, 1, touch.law.friction, found, terms);
+      }
       const double here = found.distance[0] - touch.law.offset;
       gap = std::min(gap, here);
       if (here >= 0.0 || mass_[n] <= 0.0) continue;

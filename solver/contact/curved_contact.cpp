@@ -14,7 +14,8 @@ constexpr double per_kink_and_length = 1.0 / 24.0;
 
 }  // namespace
 
-CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed, double onset) : onset_(onset) {
+CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed, double onset)
+    : stride_(packed.stride), onset_(onset) {
   for (int f = 0; f < 2; ++f) {
     before_[f].resize(packed.nodes);
     std::iota(before_[f].begin(), before_[f].end(), 0);
@@ -41,6 +42,16 @@ CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed, double 
       length_[f][n] = 0.5 * (length_before[f][n] + length_after[f][n]);
       greatest_lift_ = std::max(greatest_lift_, length_[f][n] * greatest_kink * per_kink_and_length);
     }
+  for (int first = 0; first < packed.nodes; first += points_at_a_time) {
+    const int last = std::min(first + points_at_a_time, packed.nodes);
+    bool even = first >= packed.stride && last + packed.stride <= packed.nodes;
+    for (int n = first; n < last && even; ++n)
+      for (int f = 0; f < 2; ++f) {
+        const int step = f == 0 ? 1 : packed.stride;
+        even = even && (length_[f][n] == 0.0 || (before_[f][n] == n - step && after_[f][n] == n + step));
+      }
+    even_.push_back(even ? 1 : 0);
+  }
 }
 
 CurvedContact::Memory CurvedContact::new_memory() const {
@@ -61,19 +72,23 @@ void CurvedContact::archive(Memory& memory, Archive& archive) {
   archive.numbers("a contact's normal force", memory.normal);
 }
 
-void CurvedContact::lift_block(const State& state, int first, int count, double friction, Distances& distances,
-                               ChordTerms& terms) const {
+void CurvedContact::find_turns(const State& state, int first, int count, ChordTurns& turns) const {
   ChordLattice lattice{};
   lattice.count = count;
   lattice.first = first;
+  lattice.stride = even_[first / points_at_a_time] != 0 ? stride_ : 0;
   for (int c = 0; c < 3; ++c) lattice.x[c] = state.position[c].data();
   for (int f = 0; f < 2; ++f) {
     lattice.before[f] = before_[f].data() + first;
     lattice.after[f] = after_[f].data() + first;
-    lattice.length[f] = length_[f].data() + first;
   }
-  chord_terms(lattice, distances, friction, terms);
-  const double part = onset_ > 0.0 ? smooth_step(std::min(state.time / onset_, 1.0)) : 1.0;
+  chord_turns(lattice, turns);
+}
+
+void CurvedContact::lift_block(const ChordTurns& turns, double time, int first, int count, double friction,
+                               Distances& distances, ChordTerms& terms) const {
+  chord_terms(turns, {length_[0].data() + first, length_[1].data() + first}, count, distances, friction, terms);
+  const double part = onset_ > 0.0 ? smooth_step(std::min(time / onset_, 1.0)) : 1.0;
   for (int i = 0; i < count; ++i) {
     terms.lift[i] *= part;
     distances.distance[i] -= terms.lift[i];

@@ -37,15 +37,19 @@ public:
   [[nodiscard]] static double last_lift(const Memory& memory, int node);  // mm; 0 where there was none
   static void archive(Memory& memory, Archive& archive);
 
-  // The block's terms, whose lift is taken off the distances.
-  void lift_block(const State& state, int first, int count, double friction, Distances& distances,
+  // Of the nodes first <= n < first + count, at most points_at_a_time.
+  void find_turns(const State& state, int first, int count, ChordTurns& turns) const;
+  // Their terms at a tool, whose lift is taken off the distances.
+  void lift_block(const ChordTurns& turns, double time, int first, int count, double friction, Distances& distances,
                   ChordTerms& terms) const;
 
 private:
   std::array<std::vector<int>, 2> before_, after_;  // per packed node
-  std::array<Doubles, 2> length_;                   // mm; likewise
-  double greatest_lift_ = 0.0;                      // mm
-  double onset_;                                    // s
+  std::vector<char> even_;  // per block: all neighbours that are there stand at constant distances, in the arrays
+  int stride_;
+  std::array<Doubles, 2> length_;  // mm; likewise
+  double greatest_lift_ = 0.0;     // mm
+  double onset_;                   // s
 };
 
 }  // namespace weaveform

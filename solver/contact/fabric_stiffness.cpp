@@ -9,10 +9,12 @@ namespace weaveform {
 
 double tool_contact_frequency(const AnalysisSpec& analysis, const Card& card, double fabric_step) {
   const double by_step = contact_frequency(analysis, fabric_step);
-  const double stiffness = card.through_thickness_stiffness.value_or(usual_thickness_stiffness);
-  const double own = std::sqrt(stiffness / (card.area_density() * analysis.mass_scale));
-  const bool as_it_stands = card.through_thickness_stiffness && !analysis.contact_stiffness;
-  return as_it_stands ? own : std::min(own, by_step);
+  const auto own = [&](double stiffness) { return std::sqrt(stiffness / (card.area_density() * analysis.mass_scale)); };
+  const bool factor_given = analysis.contact_stiffness.has_value();
+  if (!card.through_thickness_stiffness)
+    return factor_given ? by_step : std::min(own(usual_thickness_stiffness), by_step);
+  const double stated = own(*card.through_thickness_stiffness);
+  return factor_given ? std::min(stated, by_step) : stated;
 }
 
 }  // namespace weaveform

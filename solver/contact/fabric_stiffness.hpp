@@ -17,9 +17,9 @@ namespace weaveform {
 inline constexpr double usual_thickness_stiffness = 1.0;
 
 // 1/s; omega of the springs to rigid tools, for a fabric whose own stable step is `fabric_step` (s). The card's
-// stiffness as it stands, though the step be shortened for it; but never more than a factor that the scene gives
-// (analysis.contact_stiffness) allows. Of a card that is silent: what contact_frequency gives, but not more than the
-// usual stiffness. Springs go by mass, which is area but at edges, where free yarn ends weigh too.
+// stiffness as it stands, though the step be shortened for it; but not more than a factor that the scene gives
+// (analysis.contact_stiffness) allows. Of a card that is silent: the scene's factor, if it gives one, else what
+// contact_frequency gives by itself, but not more than the usual stiffness. Springs go by mass, which is area but at edges, where free yarn ends weigh too.
 [[nodiscard]] double tool_contact_frequency(const AnalysisSpec& analysis, const Card& card, double fabric_step);
 
 }  // namespace weaveform

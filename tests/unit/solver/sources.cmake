@@ -5,6 +5,7 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/bending/shell_test.cpp
   unit/solver/constraint/mirror_planes_test.cpp
   unit/solver/contact/contact_law_test.cpp
+  unit/solver/contact/fabric_stiffness_test.cpp
   unit/solver/contact/ply_contact_test.cpp
   unit/solver/contact/stack_world_test.cpp
   unit/solver/contact/tool_motion_test.cpp
