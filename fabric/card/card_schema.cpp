@@ -113,7 +113,7 @@ const std::vector<Key<HeadFile>>& head_keys() {
            .limits = above(0),
            .doc = "pressure over the way that a rigid face sinks into the fabric, from its middle plane: what rigid "
                   "tools meet, and what spreads the moment that bending has at the edge of a clamp over a length of "
-                  "(4 D/k)^(1/4), D the rigidity. Auto: that of `analysis.contact_stiffness`, at most 1 N/mm^3 (our "
+                  "(4 D/k)^(1/4), D the rigidity. Auto: that of `analysis.contact_stiffness`, at most 5 N/mm^3 (our "
                   "choice: docs/contact.md)"}),
   };
   return keys;

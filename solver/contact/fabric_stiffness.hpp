@@ -14,7 +14,7 @@
 namespace weaveform {
 
 // N/mm^3; of a card that does not say, where the step would allow more.
-inline constexpr double usual_thickness_stiffness = 1.0;
+inline constexpr double usual_thickness_stiffness = 5.0;
 
 // 1/s; omega of the springs to rigid tools, for a fabric whose own stable step is `fabric_step` (s). The card's
 // stiffness as it stands, though the step be shortened for it; but not more than a factor that the scene gives
