@@ -96,9 +96,10 @@ struct Terms {
 
 [[gnu::always_inline]] inline Terms mean_terms(const Kink& warp, const Kink& weft, double length1, double length2,
                                                double mu) {
-  const double size1 = std::abs(warp.theta), size2 = std::abs(weft.theta);
+  const double square1 = warp.theta * warp.theta, square2 = weft.theta * weft.theta;
   Terms terms;
-  terms.lift = (length1 * warp.theta * size1 + length2 * weft.theta * size2) / (24.0 * (size1 + size2 + least_kink));
+  terms.lift = (length1 * warp.theta * square1 + length2 * weft.theta * square2) /
+               (24.0 * (square1 + square2 + least_kink * least_kink));
   const double towards1 = warp.theta > 0.0 ? warp.theta : 0.0, towards2 = weft.theta > 0.0 ? weft.theta : 0.0;
   const double inverse = 1.0 / (towards1 + towards2 + least_kink);
   const double share1 = towards1 * inverse, share2 = towards2 * inverse;

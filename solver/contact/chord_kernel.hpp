@@ -8,8 +8,9 @@
 // length. With its nodes lifted by h theta/24 it is as long: a lift of d lengthens a kinked line by d theta, so that
 // sum h theta^2/24 is what sum h^3/(24 R^2) takes off, and it is so also where an arc begins or ends between nodes, where
 // the kink is what is left of it. Warp and weft wish for lifts of their own; the node gets their mean, weighted by the
-// sizes of the kinks: that of the curved one on a cylinder, none on an even saddle.
-//   lift = sum_f h_f theta_f |theta_f| / (24 sum_f |theta_f|)
+// squares of the kinks: that of the curved one on a cylinder, however the other quivers about straight, none on an even
+// saddle.
+//   lift = sum_f h_f theta_f^3 / (24 sum_f theta_f^2)
 //
 // Friction. A belt over the turn theta bears T2 = T1 exp(mu theta); a point force on the bisector within Coulomb's cone
 // of coefficient m bears T2/T1 = (1 + m tan(theta/2))/(1 - m tan(theta/2)), so
