@@ -21,15 +21,16 @@ void keep_worse(CutChord& worst, const CutChord& found) {
 struct Seen {
   const PlacedTool& tool;
   int number;
+  double lift;              // 1; of a chord's length
   std::vector<double> gap;  // mm; per node
-  Seen(const PlacedTool& the_tool, int its_number, const std::vector<Vec3>& position)
-      : tool(the_tool), number(its_number) {
+  Seen(const PlacedTool& the_tool, int its_number, const std::vector<Vec3>& position, bool curved)
+      : tool(the_tool), number(its_number), lift(curved ? lifted_share : 0.0) {
     for (const Vec3& x : position) gap.push_back(gap_to(tool, vector_of(x)).gap);
   }
   [[nodiscard]] double sunk(int node) const { return std::max(0.0, -gap[node]); }
   template <class Nodes>
-  [[nodiscard]] bool touches(const Nodes& nodes) const {
-    return std::any_of(nodes.begin(), nodes.end(), [&](int n) { return gap[n] <= 0.0; });
+  [[nodiscard]] bool touches(const Nodes& nodes, double length) const {
+    return std::any_of(nodes.begin(), nodes.end(), [&](int n) { return gap[n] <= lift * length; });
   }
 };
 
@@ -45,7 +46,7 @@ CutChord along_yarn(const Seen& seen, const std::vector<Vec3>& position, double 
     found.depth = depth;
     found.at = x;
   }
-  found.unnoticed = found.depth > thickness && !seen.touches(node);
+  found.unnoticed = found.depth > thickness && !seen.touches(node, found.length);
   return found;
 }
 
@@ -59,7 +60,7 @@ CutChord across_cell(const Seen& seen, const std::vector<Vec3>& position, double
     side += 0.25 * (vector_of(position[node[(a + 1) % 4]]) - vector_of(position[node[a]])).norm();
   }
   const double depth = -gap_to(seen.tool, middle).gap - sunk;
-  return {seen.number, middle, side, 0.5 * depth, depth > thickness && !seen.touches(node)};
+  return {seen.number, middle, side, 0.5 * depth, depth > thickness && !seen.touches(node, side)};
 }
 
 }  // namespace
@@ -75,10 +76,11 @@ double CutChord::radius() const {
   return tool < 0 ? std::numeric_limits<double>::infinity() : length / ratio();
 }
 
-CutChord worst_chord(const Mesh& mesh, const std::vector<Vec3>& position, const std::vector<PlacedTool>& tools) {
+CutChord worst_chord(const Mesh& mesh, const std::vector<Vec3>& position, const std::vector<PlacedTool>& tools,
+                     bool curved) {
   CutChord worst;
   for (std::size_t t = 0; t < tools.size(); ++t) {
-    const Seen seen(tools[t], static_cast<int>(t), position);
+    const Seen seen(tools[t], static_cast<int>(t), position, curved);
     // a distance changes no faster than points move: an end half a chord away leaves no middle in the tool
     const auto near = [&](int a, int b) {
       const double length = (vector_of(position[a]) - vector_of(position[b])).norm();

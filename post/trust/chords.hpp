@@ -27,8 +27,10 @@ struct CutChord {
 // thickness while no end touches that. Chords are the yarn elements, but for free ends, looked at in three places; and
 // the sides of full cells, of which each counts half of the depth of the cell's middle, since on a sphere the cuts of
 // both yarns add up there (what pokes through between the yarns is met there alone). The depth is that beyond the
-// ends', so that the give of the contact springs does not count.
+// ends', so that the give of the contact springs does not count. With `curved`, contact lifts the ends off the tool
+// (analysis.curved_contact): they touch up to lifted_share of the chord's length above it.
+inline constexpr double lifted_share = 2.5 / 24.0;  // as curved_contact.cpp lifts at most
 [[nodiscard]] CutChord worst_chord(const Mesh& mesh, const std::vector<Vec3>& position,
-                                   const std::vector<PlacedTool>& tools);
+                                   const std::vector<PlacedTool>& tools, bool curved = false);
 
 }  // namespace weaveform

@@ -14,6 +14,8 @@ namespace {
 // L/R. A chain of chords over a quarter turn with friction 0.3 is 5 % off by its formula at 0.96; hemispheres drawn
 // through fillets of 15, 20 and 30 mm left the force of fine chords by 5 % at 1.4, 1.1 and 0.86 (docs/stability.md).
 constexpr double longest = 0.8;
+// With contact that knows the curve hemispheres left that force by 4 % at 1.3, by 10 % at 1.65 (docs/contact.md).
+constexpr double longest_curved = 1.3;
 constexpr double edge = 1.5;  // L/R; a chord that bends so much may lie on an edge of no radius at all
 
 std::string place(const CutChord& chord) {
@@ -25,8 +27,10 @@ std::string place(const CutChord& chord) {
 void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings) {
   if (run.scene.tools.empty()) return;
   const auto placed = place_tools(run.tools, run.history, run.end.time);
-  const CutChord worst = worst_chord(run.mesh, run.end.position, placed);
-  if (worst.ratio() <= longest) return;
+  const bool curved = run.scene.analysis.curved_contact;
+  const CutChord worst = worst_chord(run.mesh, run.end.position, placed, curved);
+  const double border = curved ? longest_curved : longest;
+  if (worst.ratio() <= border) return;
   const std::string& tool = placed[worst.tool].tool.name;
   if (worst.unnoticed) {
     warnings.push_back(
@@ -40,8 +44,8 @@ void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings) {
   warnings.push_back(fmt::format(
       "chords of {:.3g} mm cut {:.2g} mm off tool '{}' at {}, whose radius there is {} {:.2g} mm: beyond {:.2g} of it "
       "forces are 5 % off or more; set blank.coarsening to {:.2g} or less{}",
-      worst.length, worst.depth, tool, place(worst), sharp ? "at most" : "about", worst.radius(), longest,
-      rounded_down(std::max(coarsening[0], coarsening[1]) * longest / worst.ratio(), 2),
+      worst.length, worst.depth, tool, place(worst), sharp ? "at most" : "about", worst.radius(), border,
+      rounded_down(std::max(coarsening[0], coarsening[1]) * border / worst.ratio(), 2),
       sharp ? ", or round the edge" : ""));
 }
 
