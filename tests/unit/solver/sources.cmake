@@ -4,6 +4,7 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/bending/bending_test.cpp
   unit/solver/bending/shell_test.cpp
   unit/solver/constraint/mirror_planes_test.cpp
+  unit/solver/contact/chord_kernel_test.cpp
   unit/solver/contact/contact_law_test.cpp
   unit/solver/contact/fabric_stiffness_test.cpp
   unit/solver/contact/ply_contact_test.cpp
