@@ -87,9 +87,6 @@ template <int parts>
   for (int i = 0; i < parts; ++i) result.at[i] = place.at[i] + way;
   return result;
 }
-[[gnu::always_inline]] inline int moved(int place, int way) {
-  return place + way;
-}
 
 // A pack's numbers into the sums of the lanes that they stand in.
 template <int vectors, class Combine>
