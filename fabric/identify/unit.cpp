@@ -28,6 +28,40 @@ const std::vector<Unit>& units_of(Quantity quantity) {
       {Quantity::strain, {{"1", 1.0}, {"%", 0.01}, {"mm/mm", 1.0}, {"um/m", 1e-6}}},
       {Quantity::stress, {{"MPa", 1.0}, {"GPa", 1e3}, {"kPa", 1e-3}, {"Pa", 1e-6}}},
       {Quantity::force_per_length, {{"N/mm", 1.0}, {"N/m", 1e-3}, {"kN/m", 1.0}, {"N/cm", 0.1}}},
+      {Quantity::curvature,
+       {{"1/m", 1e-3},
+        {"1/cm", 0.1},
+        {"1/mm", 1.0},
+        {"m^-1", 1e-3},
+        {"cm^-1", 0.1},
+        {"mm^-1", 1.0},
+        {"m-1", 1e-3},
+        {"cm-1", 0.1},
+        {"mm-1", 1.0},
+        {"rad/m", 1e-3},
+        {"rad/mm", 1.0}}},
+      {Quantity::moment,
+       {{"N mm", 1.0},
+        {"N m", 1e3},
+        {"N cm", 10.0},
+        {"mN m", 1.0},
+        {"mN mm", 1e-3},
+        {"cN cm", 0.1},
+        {"gf cm", 10.0 * gram_force}}},
+      {Quantity::moment_per_length,
+       {{"N m/m", 1.0},
+        {"N mm/mm", 1.0},
+        {"N cm/cm", 1.0},
+        {"N", 1.0},
+        {"N mm/m", 1e-3},
+        {"N mm/cm", 0.1},
+        {"mN m/m", 1e-3},
+        {"mN mm/mm", 1e-3},
+        {"mN", 1e-3},
+        {"cN cm/cm", 1e-2},
+        {"cN", 1e-2},
+        {"gf cm/cm", gram_force},
+        {"gf", gram_force}}},
   };
   return units.at(quantity);
 }
@@ -51,6 +85,7 @@ std::optional<std::string> unit_in(const std::string& heading, Quantity quantity
     if (unit.name == "1") continue;  // a heading that ends in 1 counts something
     std::string spelled = unit.name;
     if (const auto slash = spelled.find('/'); slash != std::string::npos) spelled.replace(slash, 1, "_per_");
+    std::replace(spelled.begin(), spelled.end(), ' ', '_');
     const bool named = heading == unit.name || heading == "(" + unit.name + ")" ||
                        heading.find("(" + unit.name + ")") != std::string::npos ||
                        heading.find("[" + unit.name + "]") != std::string::npos || heading.ends_with("_" + spelled) ||
