@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int fine_intervals = 40;     // between places where a knot may be
+constexpr int fine_intervals = 64;     // between places where a knot may be
 constexpr double least_share = 1e-4;   // of the mean stiffness
 constexpr Index most_residuals = 120;  // that a curve's error is estimated from
 constexpr int relocations = 2;         // rounds in which every knot may move
@@ -90,6 +90,7 @@ class KnotProblem {
 public:
   KnotProblem(const std::vector<BendingReading>& readings, const BendingFitChoices& choices)
       : fine_(fine_knots(readings)), count_(static_cast<Index>(readings.size())) {
+    stiff_start_ = choices.stiff_start;
     extras_ = (choices.friction ? 1 : 0) + (choices.offset ? 2 : 0);
     double greatest = 0.0;
     for (const auto& reading : readings) greatest = std::max(greatest, std::abs(reading.moment));
@@ -139,21 +140,24 @@ public:
     BendingCurveFit fit;
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       fit.curve.knot.push_back(fine_[chosen[k]]);
-      fit.curve.tangent.push_back(least_ + x[static_cast<Index>(k)]);
-      fit.free.push_back(x[static_cast<Index>(k)] > 0.0);
+      const double excess = k == 0 && stiff_start_ ? x[1] : 0.0;
+      fit.curve.tangent.push_back(least_ + excess + x[static_cast<Index>(k)]);
     }
     auto next = static_cast<Index>(chosen.size());
     if (choices.friction) fit.friction = x[next++];
     if (choices.offset) fit.offset = x[next] - x[next + 1];
     const VectorXd residual = y_ - A_ * (P * x);
     fit.misfit = std::sqrt(residual.squaredNorm() / static_cast<double>(count_));
-    average(A_ * P, residual, choices, fit);
+    const std::vector<Index> between = with_middles(chosen);
+    for (const Index k : between) fit.error_knot.push_back(fine_[k]);
+    average(A_ * spread(between, false), residual, choices, fit);
     return fit;
   }
 
 private:
   // Values of the chosen knots' hats at the fine knots; extras are themselves.
-  [[nodiscard]] MatrixXd spread(const std::vector<Index>& chosen) const {
+  [[nodiscard]] MatrixXd spread(const std::vector<Index>& chosen) const { return spread(chosen, stiff_start_); }
+  [[nodiscard]] MatrixXd spread(const std::vector<Index>& chosen, bool stiff_start) const {
     const Index fine = fine_count(), coarse = static_cast<Index>(chosen.size());
     MatrixXd P = MatrixXd::Zero(fine + extras_, coarse + extras_);
     for (Index c = 0; c + 1 < coarse; ++c)
@@ -162,8 +166,19 @@ private:
         P(k, c) = 1.0 - share;
         P(k, c + 1) = share;
       }
+    if (stiff_start) P.col(1) += P.col(0);
     for (Index e = 0; e < extras_; ++e) P(fine + e, coarse + e) = 1.0;
     return P;
+  }
+
+  [[nodiscard]] static std::vector<Index> with_middles(const std::vector<Index>& chosen) {
+    std::vector<Index> more = {chosen.front()};
+    for (std::size_t c = 1; c < chosen.size(); ++c) {
+      const Index middle = (chosen[c - 1] + chosen[c]) / 2;
+      if (middle > chosen[c - 1]) more.push_back(middle);
+      more.push_back(chosen[c]);
+    }
+    return more;
   }
 
   // Groups of neighbouring readings as one: what is left of the noise of a group is that of its mean.
@@ -181,6 +196,7 @@ private:
 
   std::vector<double> fine_;
   Index count_, extras_ = 0;
+  bool stiff_start_ = true;
   double greatest_ = 0.0, least_ = 0.0, rest_ = 0.0;
   MatrixXd A_, R_;
   VectorXd y_, f_;
@@ -288,10 +304,10 @@ BendingCurveFit fit_bending_curve(const std::vector<BendingReading>& readings, c
   return problem.solve(chosen, choices);
 }
 
-VectorXd curve_sensitivity(const BendingCurve& curve, double curvature) {
-  VectorXd row(static_cast<Index>(curve.knot.size()));
-  for (std::size_t k = 0; k < curve.knot.size(); ++k)
-    row[static_cast<Index>(k)] = std::copysign(hat_integral_at(curve.knot, k, std::abs(curvature)), curvature);
+VectorXd curve_sensitivity(const std::vector<double>& knot, double curvature) {
+  VectorXd row(static_cast<Index>(knot.size()));
+  for (std::size_t k = 0; k < knot.size(); ++k)
+    row[static_cast<Index>(k)] = std::copysign(hat_integral_at(knot, k, std::abs(curvature)), curvature);
   return row;
 }
 

@@ -33,18 +33,22 @@ struct BendingCurveFit {
   double friction = 0.0;  // N; greatest moment of friction, 0 without
   double offset = 0.0;    // N; of the moment's zero, where readings of both senses tell it
   double misfit = 0.0;    // N; root mean square of the residuals
-  // For the error of the curve: what each unknown (tangents at the knots, friction, offset) does to each reading, and
-  // what is left of it. Neighbouring readings are averaged where there are many.
+  // For the error of the curve: what each unknown (tangents at `error_knot`; friction, offset) does to each reading, and
+  // what is left of it. The knots are those of the curve and one between every two: where the curve's own knots lie was
+  // found from the same readings, and what it is between them nobody knows. Neighbouring readings are averaged where
+  // there are many.
+  std::vector<double> error_knot;
   Eigen::MatrixXd sensitivity;
   Eigen::VectorXd residual;
-  std::vector<bool> free;  // per tangent: not held at its least value
 };
 
 struct BendingFitChoices {
   int pieces = 12;        // at most, with the constant one beyond the last knot; 2 at least
   bool friction = false;  // readings' shares count
   bool offset = false;    // the moment's zero is unknown
-  double enough = 2e-4;   // of the greatest moment; a misfit (root mean square) that needs no more pieces
+  bool stiff_start =
+      true;              // the first tangent is no less than the second: few readings tell it, and a toe is taken out
+  double enough = 2e-4;  // of the greatest moment; a misfit (root mean square) that needs no more pieces
 };
 
 // The least-squares curve. Tangents are at least a ten-thousandth of the mean one, so that the moment rises everywhere
@@ -53,8 +57,8 @@ struct BendingFitChoices {
 [[nodiscard]] BendingCurveFit fit_bending_curve(const std::vector<BendingReading>& readings,
                                                 const BendingFitChoices& choices);
 
-// M's derivatives by the tangents at the knots, at one curvature.
-[[nodiscard]] Eigen::VectorXd curve_sensitivity(const BendingCurve& curve, double curvature);
+// M's derivatives by the tangents at knots, at one curvature.
+[[nodiscard]] Eigen::VectorXd curve_sensitivity(const std::vector<double>& knot, double curvature);
 
 // Dahl's friction (1968) in bending along a record of curvatures, as a share phi of the greatest moment:
 //   dphi = (1 - phi sign(dkappa)) dkappa / rise , so that over a step  phi -> s + (phi - s) exp(-|dkappa|/rise) .

@@ -124,7 +124,7 @@ BendingCurveFit fit_once(std::vector<BendingReading> readings, bool two_senses, 
   for (const double sign : {1.0, -1.0}) {
     const auto part = of_sense(readings, sign);
     if (part.size() < least_readings) continue;
-    const BendingCurveFit alone = fit_bending_curve(part, {.pieces = std::min(pieces, 8)});
+    const BendingCurveFit alone = fit_bending_curve(part, {.pieces = std::min(pieces, 8), .stiff_start = false});
     (void)take_out_toe(alone.curve, reach_of(part), sign, readings, specimen);
     if (readings.size() < least_readings)
       throw InputError(
@@ -269,7 +269,8 @@ BendingSpecimen table_specimen(Curve raw, const TestSpec& test, const FitSpec& s
     specimen.notes.push_back(fmt::format("the moment's zero is off by {:.3g} N; taken out", fit.offset));
   if (!test.trust_units) {
     const Quantity quantity = test.specimen_width ? Quantity::moment : Quantity::moment_per_length;
-    const double first = fit.curve.tangent.front();
+    // the secant over a twentieth: the tangent at zero itself rests on few readings
+    const double first = fit.curve.moment(0.05 * specimen.reach) / (0.05 * specimen.reach);
     const auto plausible = [&](double ratio) { return plausible_stiffness(ratio * first, spec.area_weight()); };
     ask_about_stiffness(specimen.name, first, spec.area_weight(),
                         fmt::format("is moment_unit really '{}'{}, and curvature_unit '{}'", test.moment_unit,
@@ -303,23 +304,14 @@ void ask_about_stiffness(const std::string& specimen, double stiffness, double w
 }
 
 void add_errors(const BendingCurveFit& fit, BendingSpecimen& specimen) {
-  // a tangent held at its least value is no unknown
-  std::vector<Index> columns;
-  for (std::size_t k = 0; k < fit.free.size(); ++k)
-    if (fit.free[k]) columns.push_back(static_cast<Index>(k));
-  const auto tangents = static_cast<Index>(columns.size());
-  for (auto c = static_cast<Index>(fit.free.size()); c < fit.sensitivity.cols(); ++c) columns.push_back(c);
-  Eigen::MatrixXd J(fit.sensitivity.rows(), static_cast<Index>(columns.size()));
-  for (Index c = 0; c < J.cols(); ++c) J.col(c) = fit.sensitivity.col(columns[c]);
-  const CorrelatedErrors known = correlated_errors(J, fit.residual);
+  const CorrelatedErrors known = correlated_errors(fit.sensitivity, fit.residual);
+  const auto tangents = static_cast<Index>(fit.error_knot.size());
   specimen.freedom = known.freedom;
   for (int i = 0; i <= error_places; ++i) {
     const double curvature = specimen.reach * i / error_places;
-    const Eigen::VectorXd whole = curve_sensitivity(fit.curve, curvature);
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(J.cols());
-    for (Index c = 0; c < tangents; ++c) g[c] = whole[columns[c]];
+    const Eigen::VectorXd g = curve_sensitivity(fit.error_knot, curvature);
     specimen.error_curvature.push_back(curvature);
-    specimen.error.push_back(std::sqrt(std::max(0.0, g.dot(known.covariance * g))));
+    specimen.error.push_back(std::sqrt(std::max(0.0, g.dot(known.covariance.topLeftCorner(tangents, tangents) * g))));
   }
 }
 

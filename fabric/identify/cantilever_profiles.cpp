@@ -81,6 +81,9 @@ void cut_jaws(Profile& profile, double given) {
       ++kept;
   } else {
     while (kept + 2 < point.size() && point[kept][0] < -1e-3 * whole) ++kept;
+    // level, as in jaws; else the origin is not at the clamp's edge, and the profile begins where it begins
+    constexpr double level = 0.03;
+    if (std::abs(point[kept][1] - point.front()[1]) > level * std::abs(point.back()[1] - point.front()[1])) kept = 0;
   }
   if (kept > 0) profile.notes.push_back(fmt::format("the {} points before the clamp's edge left out", kept));
   point.erase(point.begin(), point.begin() + static_cast<std::ptrdiff_t>(kept));
@@ -147,22 +150,27 @@ double drop_at(const Profile& profile, double x) {
   return few[0][1] - few.back()[1];
 }
 
-// Of one fabric a longer overhang hangs lower everywhere: a profile that crosses a shorter one's is of another fabric,
-// has another overhang than said, or another origin.
-void refuse_crossings(const std::vector<Profile>& profiles) {
-  constexpr double clearly_longer = 1.08, most = 0.08;  // of the drop; what strips differ by lies below
-  for (const auto& shorter : profiles)
-    for (const auto& longer : profiles) {
-      if (longer.overhang < clearly_longer * shorter.overhang) continue;
+// Of one fabric a longer overhang hangs lower everywhere. A profile that crosses a shorter one's, and whose curve says
+// another stiffness by more than strips of one fabric differ, is of another fabric, or has another overhang or origin
+// than said.
+void refuse_crossings(const std::vector<Profile>& profiles, const std::vector<BendingSpecimen>& specimens) {
+  constexpr double longer_by = 1.05, most_above = 0.03, most_ratio = 1.6;
+  for (std::size_t a = 0; a < profiles.size(); ++a)
+    for (std::size_t b = 0; b < profiles.size(); ++b) {
+      const Profile &shorter = profiles[a], &longer = profiles[b];
+      if (longer.overhang < longer_by * shorter.overhang) continue;
+      const double at = 0.7 * std::min(specimens[a].reach, specimens[b].reach);
+      const double ratio = moment_at(specimens[b], at) / moment_at(specimens[a], at);
+      if (ratio < most_ratio) continue;
       const double reach = shorter.point.back()[0] - shorter.point.front()[0], drop = drop_at(shorter, reach);
       for (int k = 4; k <= 20; ++k) {
         const double x = reach * k / 20, above = drop_at(shorter, x) - drop_at(longer, x);
-        if (above <= most * drop) continue;
+        if (above <= most_above * drop) continue;
         throw InputError(
             fmt::format("{}: the strip of {:.4g} mm hangs {:.3g} mm above that of {:.4g} mm ({}) at {:.4g} mm "
-                        "from the clamp; a longer overhang of the same fabric hangs lower everywhere: are "
-                        "files, overhangs or origins exchanged?",
-                        longer.name, longer.overhang, above, shorter.overhang, shorter.name, x));
+                        "from the clamp, as if {:.2g} times as stiff; a longer overhang of the same fabric "
+                        "hangs lower everywhere: are files, overhangs or origins exchanged?",
+                        longer.name, longer.overhang, above, shorter.overhang, shorter.name, x, ratio));
       }
     }
 }
@@ -226,18 +234,18 @@ std::vector<BendingSpecimen> cantilever_specimens(const TestSpec& test, const Fi
   for_each_specimen(test, spec.file, x, y, [&](Curve raw, std::size_t file) {
     profiles.push_back(prepared_profile(std::move(raw), test, file));
   });
-  refuse_crossings(profiles);
   std::vector<BendingSpecimen> specimens;
   std::vector<std::string> complaints;
   for (const auto& profile : profiles) {
     try {
       specimens.push_back(profile_specimen(profile, test, weight));
-      specimens.back().name = name_beside(specimens.back().name, spec.file);
     } catch (const InputError& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
   }
   if (!complaints.empty()) throw InputError(complaints);
+  refuse_crossings(profiles, specimens);
+  for (auto& specimen : specimens) specimen.name = name_beside(specimen.name, spec.file);
   return specimens;
 }
 

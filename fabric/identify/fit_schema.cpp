@@ -197,8 +197,7 @@ Keys peirce_only() {
       key<&TestSpec::angle>({.name = "angle",
                              .unit = "deg",
                              .limits = between(5, 75),
-                             .doc = "of the line from the clamp's edge to the tip, with `overhangs`; 41.5 makes c half "
-                                    "the overhang"}),
+                             .doc = "of the line from the clamp's edge to the tip, with `overhangs`"}),
       key<&TestSpec::rigidities>({.name = "rigidities",
                                   .unit = "N mm",
                                   .limits = above(0),
