@@ -134,6 +134,9 @@ BendingFit fit_curves(BendingSource source, std::vector<BendingSpecimen> specime
   const double reach = common_reach(fit.specimens, spec.bending_law.greatest_curvature);
   for (const double at : places_to(reach)) fit.law.push_back(seen_at(fit.specimens, at));
   join_means(fit.specimens, fit.law);
+  mean_friction(fit);
+  if (fit.friction && !spec.bending_law.friction)
+    for (auto& at : fit.law) at.mean += fit.friction->moment * (1.0 - std::exp(-at.curvature / fit.friction->rise));
   std::vector<BendingReading> mean;
   for (const auto& at : fit.law) mean.push_back({at.curvature, at.mean, 0.0});
   fit.curve = fit_bending_curve(mean, {.pieces = spec.bending_law.pieces, .enough = 5e-4}).curve;
@@ -142,7 +145,6 @@ BendingFit fit_curves(BendingSource source, std::vector<BendingSpecimen> specime
     at.tangent = fit.curve.tangent_at(at.curvature);
   }
   add_bands(fit, spec.confidence());
-  mean_friction(fit);
   warn_about_bending(fit);
   return fit;
 }

@@ -31,7 +31,7 @@ struct BendingFit {
   std::vector<BendingPoint> law;            // from zero to the greatest curvature fitted
   double misfit = 0.0;                      // N; greatest distance of the law from the specimens' mean
   double freedom = 0.0;                     // degrees of freedom of the band at small curvatures
-  std::optional<BendingFriction> friction;  // mean of the specimens that went to and fro
+  std::optional<BendingFriction> friction;  // N per width; mean of those to and fro
   // [[peirce]]: rigidities of the specimens and the interval of their mean, N mm
   std::vector<double> rigidities;
   double rigidity = 0.0, rigidity_deviation = 0.0;

@@ -11,12 +11,6 @@
 
 namespace weaveform::identify {
 
-// Friction in bending (Dahl): the moment that friction tends to, and the curvature over which it gets there.
-struct BendingFriction {
-  double moment = 0.0;  // N; per width
-  double rise = 0.0;    // 1/mm
-};
-
 struct BendingSpecimen {
   std::string name = {};
   BentSense sense = BentSense::both;
@@ -25,7 +19,7 @@ struct BendingSpecimen {
   double first_stiffness = 0.0;                     // N mm
   double reach = 0.0;                               // 1/mm; the greatest curvature that the specimen shows
   double misfit = 0.0;                              // N for tables, mm for shapes; root mean square of what is left
-  std::optional<BendingFriction> friction = {};     // of records that go to and fro
+  std::optional<BendingFriction> friction = {};     // N per width, 1/mm; of records that go to and fro
   std::vector<double> curvature = {}, moment = {};  // 1/mm, N; as measured (tables), for charts
   std::vector<double> error_curvature = {},
                       error = {};  // 1/mm, N; standard error of the curve from this specimen alone

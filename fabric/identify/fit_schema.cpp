@@ -216,6 +216,10 @@ const std::vector<Key<BendingFitSpec>>& bending_fit_keys() {
       key<&BendingFitSpec::from>({.name = "from",
                                   .doc = "the tests that make the card's law of a direction; the others are reported "
                                          "beside it; auto: the first of these that there is"}),
+      key<&BendingFitSpec::friction>(
+          {.name = "friction",
+           .doc = "friction that records to and fro tell goes into the card as `bending_friction`; false: the card has "
+                  "none, and the law is that of loading from flat, friction included"}),
       key<&BendingFitSpec::pieces>({.name = "pieces",
                                     .unit = "1",
                                     .limits = between(2, 60),

@@ -38,6 +38,7 @@ struct ShearFitSpec {
 // [bending_law]: how the moment-curvature law is made from the tests of bending.
 struct BendingFitSpec {
   BendingSource from = BendingSource::automatic;  // which kind of test makes the card's law; auto: the first there is
+  bool friction = true;                           // of records to and fro goes into the card
   int pieces = 12;                                // of the law, at most
   std::optional<double> greatest_curvature;       // 1/mm; that is fitted; none: what the tests reach
 };

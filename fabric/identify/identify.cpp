@@ -95,6 +95,12 @@ std::string shear_text(const Identification& found) {
   return "\n[shear]\n" + write_keys(shear_keys(), shear);
 }
 
+void put_curve(const BendingFit& fit, bool with_friction, YarnFile& yarn) {
+  yarn.bending_out_of_plane = pieces_of(fit.curve, yarn.interval);
+  if (fit.friction && with_friction)
+    yarn.bending_friction = {legible(fit.friction->moment * yarn.interval), legible(fit.friction->rise)};
+}
+
 // Who of the two directions bends as what was measured. Curves are laws of the yarns, which every kind of element that
 // bends takes where the card gives no rigidity; a direction that was not measured keeps the rigidity it had.
 void put_bending(const Identification& found, CardParts& parts) {
@@ -117,7 +123,7 @@ void put_bending(const Identification& found, CardParts& parts) {
                                              : other->first_stiffness());
     if (!curves) continue;
     if (fits[f] != nullptr && !fits[f]->is_constant())
-      yarn.bending_out_of_plane = pieces_of(fits[f]->curve, yarn.interval);
+      put_curve(*fits[f], found.spec.bending_law.friction, yarn);
     else if (fits[f] != nullptr || before || own.empty())
       yarn.bending_out_of_plane = {{0.0, endless, {legible(rigidity[f] * yarn.interval)}}};
   }

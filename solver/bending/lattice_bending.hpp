@@ -8,6 +8,9 @@
 // Subcycling. So soft a force need not be computed at every step: every n-th step it acts as an impulse of n steps (the
 // impulse method of Tuckerman, Berne & Martyna 1992), which is stable as if it were n^2 times as stiff. Unlike a force
 // kept over n steps it makes no energy.
+//
+// Friction in bending (bend_friction.hpp) has a state at every crossing, which is brought up to the positions before the
+// forces are taken; without friction none of it is there.
 #pragma once
 
 #include <memory>
@@ -30,6 +33,8 @@ public:
   [[nodiscard]] std::string name() const override { return "bending"; }
   void add_forces(State& state, double step) override;
   [[nodiscard]] StoredEnergy stored_energy() const override;
+  [[nodiscard]] EnergyFlow energy_flow() const override;  // what friction in bending lost
+  void archive(Archive& archive) override;
   void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
                            std::vector<double>& bound) const override;
 
