@@ -43,48 +43,68 @@ double common_reach(const std::vector<BendingSpecimen>& specimens, const std::op
   return asked ? std::min(*asked, common) : common;
 }
 
-// Of the law at one curvature, what the specimens say that reach it.
-BendingPoint seen_at(const std::vector<BendingSpecimen>& specimens, double curvature) {
-  constexpr double rounding = 1e-9;
-  std::vector<double> values;
-  for (const auto& specimen : specimens)
-    if (specimen.reach * (1.0 + rounding) >= curvature) values.push_back(moment_at(specimen, curvature));
-  return {.curvature = curvature,
-          .mean = mean_of(values),
-          .deviation = deviation_of(values),
-          .specimens = static_cast<int>(values.size())};
-}
+// Of the law at one curvature, what the specimens say that reach it: a mean that counts a specimen as much as its own
+// error and the scatter between specimens let it (DerSimonian & Laird 1986), less towards the end of what it reaches, so
+// that its end makes no step. The standard error is that of Hartung & Knapp (2001), not below what the weights say. Of
+// tables, whose own errors are small beside the scatter and not asked for, that is the plain mean and s/sqrt(n).
+struct Seen {
+  BendingPoint point;
+  double error = 0.0;  // N; standard error of the mean
+};
 
-// A specimen that ends must not make a step in the mean: the others' mean goes on in proportion.
-void join_means(const std::vector<BendingSpecimen>& specimens, std::vector<BendingPoint>& law) {
-  double factor = 1.0;
-  for (std::size_t i = 1; i < law.size(); ++i) {
-    if (law[i].specimens != law[i - 1].specimens) {
-      std::vector<double> staying, all;
-      for (const auto& specimen : specimens) {
-        if (specimen.reach * (1.0 + 1e-9) < law[i - 1].curvature) continue;
-        const double moment = moment_at(specimen, law[i - 1].curvature);
-        all.push_back(moment);
-        if (specimen.reach * (1.0 + 1e-9) >= law[i].curvature) staying.push_back(moment);
-      }
-      factor *= mean_of(all) / mean_of(staying);
-    }
-    law[i].mean *= factor;
-    law[i].deviation *= factor;
+Seen seen_at(const std::vector<BendingSpecimen>& specimens, double curvature) {
+  constexpr double rounding = 1e-9, tapers = 0.25, least_weight = 0.02;
+  std::vector<double> values, variance, taper;
+  for (const auto& specimen : specimens) {
+    if (specimen.reach * (1.0 + rounding) < curvature) continue;
+    values.push_back(moment_at(specimen, curvature));
+    variance.push_back(std::pow(error_at(specimen, curvature), 2));
+    taper.push_back(std::clamp((specimen.reach - curvature) / (tapers * specimen.reach), least_weight, 1.0));
   }
+  Seen seen;
+  seen.point.curvature = curvature;
+  seen.point.deviation = deviation_of(values);
+  seen.point.specimens = static_cast<int>(values.size());
+  const auto n = static_cast<double>(values.size());
+  const bool own_errors = *std::min_element(variance.begin(), variance.end()) > 0.0;
+  double between = 0.0;
+  if (own_errors && values.size() > 1) {
+    double sum = 0.0, squares = 0.0, mean = 0.0, q = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      sum += 1.0 / variance[k];
+      squares += 1.0 / (variance[k] * variance[k]);
+      mean += values[k] / variance[k];
+    }
+    mean /= sum;
+    for (std::size_t k = 0; k < values.size(); ++k) q += std::pow(values[k] - mean, 2) / variance[k];
+    between = std::max(0.0, (q - (n - 1.0)) / (sum - squares / sum));
+  }
+  double weights = 0.0, mean = 0.0, spread = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double weight = taper[k] / (own_errors ? variance[k] + between : 1.0);
+    weights += weight;
+    mean += weight * values[k];
+  }
+  mean /= weights;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    spread += taper[k] / (own_errors ? variance[k] + between : 1.0) * std::pow(values[k] - mean, 2);
+  seen.point.mean = mean;
+  if (values.size() == 1) {
+    seen.error = std::sqrt(variance[0]);
+  } else {
+    const double q = spread / (n - 1.0);
+    seen.error = std::sqrt((own_errors ? std::max(1.0, q) : q) / weights);
+  }
+  return seen;
 }
 
-void add_bands(BendingFit& fit, double confidence) {
-  for (auto& at : fit.law) {
-    double spread = 0.0;
-    if (fit.specimens.size() == 1)
-      spread = student_t(confidence, std::max(1.0, fit.specimens.front().freedom)) *
-               error_at(fit.specimens.front(), at.curvature);
-    else
-      spread = student_t(confidence, at.specimens - 1.0) * at.deviation / std::sqrt(static_cast<double>(at.specimens));
+void add_bands(BendingFit& fit, const std::vector<double>& errors, double confidence) {
+  for (std::size_t i = 0; i < fit.law.size(); ++i) {
+    BendingPoint& at = fit.law[i];
+    const double freedom = fit.specimens.size() == 1 ? fit.specimens.front().freedom : at.specimens - 1.0;
     const double left = at.moment - at.mean;
     fit.misfit = std::max(fit.misfit, std::abs(left));
-    at.half_band = std::hypot(spread, left);
+    at.half_band = std::hypot(student_t(confidence, std::max(1.0, freedom)) * errors[i], left);
   }
   fit.freedom =
       fit.specimens.size() == 1 ? fit.specimens.front().freedom : static_cast<double>(fit.specimens.size()) - 1.0;
@@ -132,8 +152,12 @@ BendingFit fit_curves(BendingSource source, std::vector<BendingSpecimen> specime
   fit.source = source;
   fit.specimens = std::move(specimens);
   const double reach = common_reach(fit.specimens, spec.bending_law.greatest_curvature);
-  for (const double at : places_to(reach)) fit.law.push_back(seen_at(fit.specimens, at));
-  join_means(fit.specimens, fit.law);
+  std::vector<double> errors;
+  for (const double at : places_to(reach)) {
+    const Seen seen = seen_at(fit.specimens, at);
+    fit.law.push_back(seen.point);
+    errors.push_back(seen.error);
+  }
   mean_friction(fit);
   if (fit.friction && !spec.bending_law.friction)
     for (auto& at : fit.law) at.mean += fit.friction->moment * (1.0 - std::exp(-at.curvature / fit.friction->rise));
@@ -144,7 +168,7 @@ BendingFit fit_curves(BendingSource source, std::vector<BendingSpecimen> specime
     at.moment = fit.curve.moment(at.curvature);
     at.tangent = fit.curve.tangent_at(at.curvature);
   }
-  add_bands(fit, spec.confidence());
+  add_bands(fit, errors, spec.confidence());
   warn_about_bending(fit);
   return fit;
 }

@@ -46,7 +46,8 @@ struct BendingFit {
 // direction that was tested.
 //
 // Specimens are the independent units: at a curvature the interval is Student's t over the curves of those that reach
-// it, with what the law's few pieces leave of their mean added; one specimen alone has its own residuals.
+// it, shapes counting as much as their own errors let them, with what the law's few pieces leave of their mean added; one
+// specimen alone has its own residuals.
 [[nodiscard]] std::vector<BendingFit> fit_bending(const FitSpec& spec);
 
 // Which of them makes the card's law along a family (0 warp, 1 weft), by [bending_law] from; none: nothing was measured.

@@ -25,9 +25,7 @@ struct Profile {
 
 constexpr std::array<double, 2> plausible_overhang = {10.0, 3000.0};  // mm; of overhangs
 constexpr double same_length = 0.1;                                   // between an overhang and its profile's length
-constexpr double steepest_clamp = 25.0 * degree;
-constexpr double usual_margin = 0.03;  // of the length
-constexpr double least_drop = 0.01;    // of the length
+constexpr double least_drop = 0.01;                                   // of the length
 
 double angle_between(const std::array<double, 2>& a, const std::array<double, 2>& b) {
   return std::atan2(a[1] - b[1], b[0] - a[0]);  // below the horizontal
@@ -131,7 +129,7 @@ void refuse_wrong_shapes(const Profile& profile) {
   const std::size_t part = std::max<std::size_t>(1, few.size() / 6);
   const double clamp = angle_between(few.front(), few[part]);
   const double tip = angle_between(few[few.size() - 1 - part], few.back());
-  if (clamp < steepest_clamp && clamp < tip) return;
+  if (clamp < tip) return;
   throw InputError(
       fmt::format("{}: the strip leaves its higher end at {:.0f} deg below the horizontal and its lower end "
                   "at {:.0f} deg; a clamped one leaves level and steepens: do heights count downwards? then "
@@ -197,8 +195,9 @@ Profile prepared_profile(Curve raw, const TestSpec& test, std::size_t file) {
 }
 
 BendingSpecimen profile_specimen(const Profile& profile, const TestSpec& test, double weight) {
-  const double margin = test.clamp_margin.value_or(usual_margin * profile.length);
+  const double margin = test.clamp_margin.value_or(0.0);
   StripShape shape;
+  if (margin == 0.0) shape.clamp = profile.overhang;
   const auto& first = profile.point.front();
   for (const auto& at : profile.point)
     if (std::hypot(at[0] - first[0], at[1] - first[1]) >= margin) shape.point.push_back(at);

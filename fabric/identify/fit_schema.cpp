@@ -173,8 +173,10 @@ Keys cantilever_only() {
       key<&TestSpec::clamp_margin>({.name = "clamp_margin",
                                     .unit = "mm",
                                     .limits = between(0, greatest_length),
-                                    .doc = "of the strip beside the clamp that is left out, where it may lift or kink; "
-                                           "auto: 3 % of the profile's length"}),
+                                    .doc =
+                                        "of the strip beside the clamp that is left out, where it lifts or kinks; then "
+                                        "nothing is supposed of the clamp; auto: none, and the strip leaves the "
+                                        "clamp's edge level to a degree or so"}),
       weight_key,
       direction_key,
       sense_key,

@@ -21,12 +21,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int strip_steps = 240;  // of the integration along the strip
-constexpr int moment_steps = 12;  // pieces of K
-constexpr double walk = 0.8;      // standard deviation of the logarithmic slope from one piece to the next
+constexpr int moment_steps = 16;  // pieces of K
+constexpr double walk = 1.0;      // standard deviation of the logarithmic slope from one piece to the next
 constexpr Index place = 3;        // unknowns before the slopes: the tip's angle, x and y
 constexpr int most_rounds = 60;
-constexpr int samples = 60;           // of the curve
-constexpr double least_noise = 1e-5;  // of the strip's length: digitised points are never better
+constexpr int samples = 60;             // of the curve
+constexpr double level = 1.0 * degree;  // rad; standard deviation of a clamp's inclination
+constexpr double least_noise = 1e-5;    // of the strip's length: digitised points are never better
 
 // K(M): slopes between equal steps of the moment up to `greatest`, the last one going on.
 struct Compliance {
@@ -124,8 +125,9 @@ constexpr double room = 0.01;  // of its length that the path goes on beyond the
 // Unknowns: tip angle, tip x and y, logarithms of the slopes. Points from the tip on.
 class StripFit {
 public:
-  StripFit(std::vector<std::array<double, 2>> from_tip, double weight) : points_(std::move(from_tip)), weight_(weight) {
-    length_ = (1.0 + room) * polyline_length(thinned(points_));
+  StripFit(std::vector<std::array<double, 2>> from_tip, double clamp, double weight)
+      : points_(std::move(from_tip)), clamp_(clamp), weight_(weight) {
+    length_ = std::max(clamp, (1.0 + room) * polyline_length(thinned(points_)));
     start();
   }
 
@@ -133,7 +135,8 @@ public:
     for (int outer = 0; outer < 4; ++outer) {
       march();
       const VectorXd r = distances(unknown_);
-      const double scatter = std::sqrt(r.squaredNorm() / std::max(1.0, static_cast<double>(r.size()) - 6.0));
+      const double scatter =
+          std::sqrt(r.head(point_count()).squaredNorm() / std::max(1.0, static_cast<double>(points_.size()) - 6.0));
       const double before = noise_;
       noise_ = std::max(scatter, least_noise * length_);
       rescale();
@@ -155,14 +158,14 @@ public:
   [[nodiscard]] const VectorXd& unknown() const { return unknown_; }
   [[nodiscard]] double noise() const { return noise_; }
   [[nodiscard]] double greatest() const { return greatest_; }
-  [[nodiscard]] VectorXd residuals() const { return distances(unknown_); }
+  [[nodiscard]] VectorXd residuals() const { return distances(unknown_).head(point_count()); }
   // Of the path, the step beside the last point; after residuals().
   [[nodiscard]] int last_step() const { return last_step_; }
 
   // Of the unknowns, with what the walk knows; widened where neighbouring residuals are alike.
   [[nodiscard]] MatrixXd covariance() const {
     const VectorXd r = distances(unknown_);
-    const std::vector<double> values(r.data(), r.data() + r.size() - 1);
+    const std::vector<double> values(r.data(), r.data() + point_count());
     const double rho = std::min(0.9, neighbour_correlation(values, 6));
     const double widen = (1.0 + rho) / (1.0 - rho);
     const MatrixXd J = jacobian(unknown_, r);
@@ -214,16 +217,27 @@ private:
     greatest_ = reach;
   }
 
-  // Distances of all points, and how far the tip's point lies beyond the tip along the strip.
+  [[nodiscard]] Index point_count() const { return static_cast<Index>(points_.size()); }
+
+  // Distances of all points, how far the tip's point lies beyond the tip along the strip, and the clamp's inclination in
+  // the points' measure.
   [[nodiscard]] VectorXd distances(const VectorXd& unknown) const {
     const Path p = path(unknown);
-    VectorXd r(static_cast<Index>(points_.size()) + 1);
+    VectorXd r = VectorXd::Zero(point_count() + 2);
     int at = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) r[static_cast<Index>(i)] = distance_from(p, points_[i], at, at);
     last_step_ = at + 1;
+    if (clamp_ > 0.0) {
+      const double step_place = std::min(clamp_ / p.step, static_cast<double>(strip_steps));
+      const int below = std::min(static_cast<int>(step_place), strip_steps - 1);
+      const double share = step_place - below;
+      const double inclined = (1.0 - share) * p.theta[below] + share * p.theta[below + 1];
+      r[point_count() + 1] = noise_ * inclined / level;
+      last_step_ = below + (share > 0.5 ? 1 : 0);
+    }
     const auto& tip = points_.front();
     const double c = std::cos(unknown[0]), s = std::sin(unknown[0]);
-    r[r.size() - 1] = (tip[0] - unknown[1]) * c - (tip[1] - unknown[2]) * s;
+    r[point_count()] = (tip[0] - unknown[1]) * c - (tip[1] - unknown[2]) * s;
     return r;
   }
 
@@ -300,7 +314,7 @@ private:
   }
 
   std::vector<std::array<double, 2>> points_;
-  double weight_, length_ = 0.0, greatest_ = 0.0, noise_ = 0.0, mean_slope_ = 0.0;
+  double clamp_ = 0.0, weight_ = 0.0, length_ = 0.0, greatest_ = 0.0, noise_ = 0.0, mean_slope_ = 0.0;
   VectorXd unknown_;
   mutable int last_step_ = strip_steps;  // where the last point lay when distances were last taken
 };
@@ -334,7 +348,7 @@ HangingTip hanging_tip(const BendingCurve& law, double weight, double length) {
 }
 
 BendingSpecimen fit_hanging_strip(const StripShape& shape, double weight, const std::string& name) {
-  StripFit fit({shape.point.rbegin(), shape.point.rend()}, weight);
+  StripFit fit({shape.point.rbegin(), shape.point.rend()}, shape.clamp, weight);
   fit.solve();
   const Compliance law = fit.compliance(fit.unknown());
   const Path path = fit.path(fit.unknown());

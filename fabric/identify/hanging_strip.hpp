@@ -4,7 +4,8 @@
 // with M(0) = 0: no shooting, for the tip's angle is one of the unknowns. K, the curvature of a moment, is the smoothing
 // family: linear between equal steps of the moment and rising, its logarithmic slopes held together by a random walk.
 // The least squares are over the points' distances from the curve, so that points need not be evenly spaced, and nothing
-// is differentiated twice. What the clamp does to the strip beside it is not used: only what hangs from there on is.
+// is differentiated twice. At the clamp's edge the strip is level to a degree or so; how closely is left to the points, so
+// that a strip whose clamp tilts is fitted as it hangs.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@ namespace weaveform::identify {
 
 struct StripShape {
   std::vector<std::array<double, 2>> point;  // mm; x outwards, y up; from the clamp's side to the tip
+  double clamp = 0.0;  // mm; along the strip from its tip to the clamp's edge; 0: unknown, and nothing held there
 };
 
 // Where the tip of a strip of `length` (mm) hangs that a level clamp holds: the heavy elastica, the tip's angle by
