@@ -304,6 +304,14 @@ void ask_about_stiffness(const std::string& specimen, double stiffness, double w
 }
 
 void add_errors(const BendingCurveFit& fit, BendingSpecimen& specimen) {
+  constexpr Index least_left = 3;  // readings beyond the unknowns
+  if (fit.sensitivity.rows() < fit.sensitivity.cols() + least_left) {
+    specimen.notes.push_back(
+        fmt::format("{} readings are too few to tell the error of a curve with {} unknowns; the band "
+                    "has none of it",
+                    fit.sensitivity.rows(), fit.sensitivity.cols()));
+    return;
+  }
   const CorrelatedErrors known = correlated_errors(fit.sensitivity, fit.residual);
   const auto tangents = static_cast<Index>(fit.error_knot.size());
   specimen.freedom = known.freedom;

@@ -1,6 +1,7 @@
 #include "fabric/identify/unit.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -10,6 +11,25 @@ namespace {
 
 constexpr double gram_force = 9.80665e-3;        // N; standard gravity, CGPM 1901
 constexpr double pound_force = 4.4482216152605;  // N
+
+// "gf.cm/cm", "gf*cm/cm" and "gf·cm/cm" are written as "gf cm/cm" here.
+std::string with_blanks(const std::string& written) {
+  std::string heading;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const auto letter = [&](std::size_t at) {
+      return at < written.size() && std::isalpha(static_cast<unsigned char>(written[at])) != 0;
+    };
+    if (written.compare(i, 2, "\xc2\xb7") == 0) {
+      heading += ' ';
+      ++i;
+    } else if (written[i] == '*' || (written[i] == '.' && i > 0 && letter(i - 1) && letter(i + 1))) {
+      heading += ' ';
+    } else {
+      heading += written[i];
+    }
+  }
+  return heading;
+}
 
 }  // namespace
 
@@ -79,7 +99,8 @@ double unit_factor(Quantity quantity, const std::string& name) {
   throw std::invalid_argument("no unit " + name);
 }
 
-std::optional<std::string> unit_in(const std::string& heading, Quantity quantity) {
+std::optional<std::string> unit_in(const std::string& written, Quantity quantity) {
+  const std::string heading = with_blanks(written);
   std::optional<std::string> found;
   for (const auto& unit : units_of(quantity)) {
     if (unit.name == "1") continue;  // a heading that ends in 1 counts something

@@ -6,6 +6,7 @@
 
 #include "fabric/identify/bending_curve.hpp"
 #include "fabric/identify/hanging_strip.hpp"
+#include "fabric/identify/unit.hpp"
 #include "tests/support/elastica.hpp"
 
 namespace weaveform::identify {
@@ -75,6 +76,16 @@ TEST(FrictionShare, BranchesAreExponentialsWhateverTheSteps) {
     EXPECT_NEAR(share[steps], 1.0, 3e-9);
     EXPECT_NEAR(share.back(), -1.0 + 2.0 * std::exp(-2.0), 3e-9);
   }
+}
+
+TEST(BendingUnits, AreFoundInHeadingsHoweverTheyAreMultiplied) {
+  for (const std::string heading : {"M [gf.cm/cm]", "M (gf*cm/cm)", "M (gf cm/cm)",
+                                    "M [gf\xc2\xb7"
+                                    "cm/cm]"})
+    EXPECT_EQ(unit_in(heading, Quantity::moment_per_length), "gf cm/cm") << heading;
+  EXPECT_EQ(unit_in("moment_N_mm_per_mm", Quantity::moment_per_length), "N mm/mm");
+  EXPECT_EQ(unit_in("K (1/cm)", Quantity::curvature), "1/cm");
+  EXPECT_NEAR(unit_factor(Quantity::moment_per_length, "gf cm/cm"), 9.80665e-3, 1e-12);  // N
 }
 
 // The heavy elastica from the tip on, without shooting, against the tests' own integration with shooting.
