@@ -98,9 +98,9 @@ TEST(FitBending, ATableWithoutNoiseGivesTheLawBackOnTheCard) {
   EXPECT_EQ(found.card.bending.twist, load_card("twintex-pw").bending.twist);
 }
 
-// Means over 20 seeds of shares of places. Where specimens differ as a whole the share within one seed is nearly all or
-// nothing, so that the mean scatters by some 5 % about 95 %: two deviations below. Over 40 seeds 94 % were measured here,
-// 92 % of one table's places, 93 % with shapes, 99 % of one shape's.
+// Means over some seeds of shares of places. Where specimens differ as a whole the share within one seed is nearly all or
+// nothing, so that the mean of 20 scatters by some 5 % about 95 %: two deviations below. Over 40 seeds 94 % were measured
+// here, 92 % of one table's places, more than 99 % with shapes, 98 % of one shape's.
 TEST(FitBending, TablesGiveTheLawBackWithinItsBand) {
   const test::FitFolder folder;
   constexpr int seeds = 20;
@@ -145,7 +145,7 @@ TEST(FitBending, AShapeWithoutNoiseGivesTheLawBack) {
 
 TEST(FitBending, ShapesGiveTheLawBackWithinItsBand) {
   const test::FitFolder folder;
-  constexpr int seeds = 20;
+  constexpr int seeds = 10;
   double mean = 0.0, worst = 0.0;
   for (unsigned seed = 0; seed < seeds; ++seed) {
     std::mt19937 random(seed);
@@ -184,7 +184,7 @@ TEST(FitBending, ShapesOfASharpYieldGiveItBackWithinItsBand) {
   const BendingCurve sharp{{0.0, 0.0023, 0.0026, 0.0045, 0.02}, {119.2, 119.2, 33.0, 9.0, 3.2}};
   constexpr double preform_weight = 13.6e-6;  // N/mm^2
   const test::FitFolder folder;
-  constexpr int seeds = 10;
+  constexpr int seeds = 5;
   double mean = 0.0;
   for (unsigned seed = 0; seed < seeds; ++seed) {
     std::mt19937 random(seed);
