@@ -14,7 +14,7 @@ namespace weaveform {
 namespace {
 
 using namespace weaveform::test;
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double one_degree = std::numbers::pi / 180.0;
 
 using Height = std::function<double(double, double)>;
 using Slope = std::function<Eigen::Vector2d(double, double)>;
@@ -107,15 +107,15 @@ TEST_P(DrapeTriangles, NetsTendToTheSmoothSurfaceInSecondOrderWhereverTheyRun) {
   for (int level = 0; level < 3; ++level) {
     // the seed in a square some way off the middle, at the same place of it for all sizes
     const Eigen::Vector2d seed = Eigen::Vector2d(6.0, -4.0) + size[level] * phase;
-    errors[level] = errors_of(shape, size[level], seed, turn * degree);
+    errors[level] = errors_of(shape, size[level], seed, turn * one_degree);
     RecordProperty("place_mm_" + std::to_string(level), std::to_string(errors[level].place));
-    RecordProperty("angle_deg_" + std::to_string(level), std::to_string(errors[level].angle / degree));
+    RecordProperty("angle_deg_" + std::to_string(level), std::to_string(errors[level].angle / one_degree));
   }
   // two halvings together: a single one is uneven, for the facets under a node differ from size to size
   EXPECT_GT(std::log2(errors[0].place / errors[2].place), 2.0 * 1.7);
   EXPECT_GT(std::log2(errors[0].angle / errors[2].angle), 2.0 * 1.5);
   EXPECT_LT(errors[2].place, 0.01);
-  EXPECT_LT(errors[2].angle, 0.05 * degree);
+  EXPECT_LT(errors[2].angle, 0.05 * one_degree);
 }
 
 INSTANTIATE_TEST_SUITE_P(ShapesAndCourses, DrapeTriangles,
