@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fabric/identify/hanging_strip.hpp"
 #include "tests/support/elastica.hpp"
 #include "tests/support/fit_folder.hpp"
 
@@ -82,6 +83,21 @@ double worst_error(const BendingFit& fit) {
   for (const auto& at : fit.law)
     worst = std::max(worst, std::abs(at.moment - truth.moment(at.curvature)) / truth.moment(fit.law.back().curvature));
   return worst;
+}
+
+// The fit's own elastica, from the tip on without shooting, against the tests' one with shooting.
+TEST(FitBending, ATipHangsWhereTheRodsDoes) {
+  const BendingCurve yielding{{0.0, 0.002, 0.0025, 0.02}, {120.0, 118.0, 12.0, 3.0}};
+  constexpr double strip_weight = 1.36e-5;  // N/mm^2
+  for (const double overhang : {150.0, 230.0, 300.0}) {
+    const test::Rod rod{.length = overhang,
+                        .curvature = [&](double moment) { return yielding.curvature(moment); },
+                        .weight = strip_weight};
+    const auto shape = test::solve_rod(rod);
+    const identify::HangingTip tip = identify::hanging_tip(yielding, strip_weight, overhang);
+    EXPECT_NEAR(tip.drop, shape.drop.back(), 2e-4 * overhang) << overhang;
+    EXPECT_NEAR(tip.x, shape.x.back(), 2e-4 * overhang) << overhang;
+  }
 }
 
 TEST(FitBending, ATableWithoutNoiseGivesTheLawBackOnTheCard) {

@@ -5,9 +5,7 @@
 #include <random>
 
 #include "fabric/identify/bending_curve.hpp"
-#include "fabric/identify/hanging_strip.hpp"
 #include "fabric/identify/unit.hpp"
-#include "tests/support/elastica.hpp"
 
 namespace weaveform::identify {
 namespace {
@@ -86,20 +84,6 @@ TEST(BendingUnits, AreFoundInHeadingsHoweverTheyAreMultiplied) {
   EXPECT_EQ(unit_in("moment_N_mm_per_mm", Quantity::moment_per_length), "N mm/mm");
   EXPECT_EQ(unit_in("K (1/cm)", Quantity::curvature), "1/cm");
   EXPECT_NEAR(unit_factor(Quantity::moment_per_length, "gf cm/cm"), 9.80665e-3, 1e-12);  // N
-}
-
-// The heavy elastica from the tip on, without shooting, against the tests' own integration with shooting.
-TEST(HangingStrip, ATipHangsWhereTheRodsDoes) {
-  constexpr double strip_weight = 1.36e-5;  // N/mm^2
-  for (const double overhang : {150.0, 230.0, 300.0}) {
-    const test::Rod rod{.length = overhang,
-                        .curvature = [](double moment) { return yielding.curvature(moment); },
-                        .weight = strip_weight};
-    const auto shape = test::solve_rod(rod);
-    const HangingTip tip = hanging_tip(yielding, strip_weight, overhang);
-    EXPECT_NEAR(tip.drop, shape.drop.back(), 2e-4 * overhang) << overhang;
-    EXPECT_NEAR(tip.x, shape.x.back(), 2e-4 * overhang) << overhang;
-  }
 }
 
 }  // namespace
