@@ -123,7 +123,7 @@ void refuse_wrong_shapes(const Profile& profile) {
     for (std::size_t k = i + 2; k + 1 < few.size(); ++k)
       if (segments_cross(few[i], few[i + 1], few[k], few[k + 1]))
         throw InputError(
-            fmt::format("{}: the profile crosses itself near x = {:.4g} mm, y = {:.4g} mm; give the points "
+            fmt::format("{}: the profile crosses itself near x {:.4g} mm, y {:.4g} mm; give the points "
                         "in order along the strip, one strip a file",
                         profile.name, few[k][0], few[k][1]));
   const std::size_t part = std::max<std::size_t>(1, few.size() / 6);

@@ -200,10 +200,11 @@ Keys peirce_only() {
                              .unit = "deg",
                              .limits = between(5, 75),
                              .doc = "of the line from the clamp's edge to the tip, with `overhangs`"}),
-      key<&TestSpec::rigidities>({.name = "rigidities",
-                                  .unit = "N mm",
-                                  .limits = above(0),
-                                  .doc = "instead: flexural rigidity per width of each specimen; 1 N mm = 1e5 mg cm"}),
+      key<&TestSpec::rigidities>(
+          {.name = "rigidities",
+           .unit = "N mm",
+           .limits = above(0),
+           .doc = "instead: flexural rigidity per width of each specimen; 1e5 mg cm are 1 N mm"}),
       weight_key,
       direction_key,
       key<&TestSpec::trust_units>(
