@@ -1,11 +1,13 @@
 #include "solver/bending/lattice_bending.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "core/error.hpp"
 #include "solver/bending/bend_kernels.hpp"
 #include "solver/bending/bending_energy.hpp"
 #include "solver/bending/friction_state.hpp"
@@ -174,6 +176,11 @@ struct LatticeBending::Parts {
     place_bends();
     place_twist();
     const FrictionLaws laws = friction_laws(flexure);
+    if (laws.any() && every > 1)
+      throw InputError(fmt::format(
+          "analysis.bending_every = {}: impulses keep the energy of elastic bending, not the work of friction "
+          "(bending_friction); set analysis.bending_every = 1, or model.bending_friction = [0, 1] for none",
+          every));
     if (laws.any())
       friction = std::make_unique<FrictionOfBends>(laws, packed.lattice_nodes(), packed.rows, loose.size());
     for (int t = 0; t < team.threads(); ++t) ring.emplace_back(packed.stride);

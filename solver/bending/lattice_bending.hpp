@@ -26,7 +26,8 @@ namespace weaveform {
 class LatticeBending : public Actor {
 public:
   // `held`: as for find_bends. `state` must outlive the term. `every`: steps (by state.step) from one impulse to the
-  // next. Throws InputError when a moment law has more pieces or a higher degree than the inner loop takes.
+  // next. Throws InputError when a moment law has more pieces or a higher degree than the inner loop takes, and
+  // for friction with every > 1.
   LatticeBending(const Mesh& mesh, const PackedMesh& packed, const Flexure& flexure, const std::vector<char>& held,
                  const State& state, Team& team, int every = 1);
   ~LatticeBending() override;

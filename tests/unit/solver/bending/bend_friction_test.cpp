@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "core/error.hpp"
 #include "solver/bending/bends.hpp"
 #include "solver/bending/lattice_bending.hpp"
 #include "solver/bending/shell.hpp"
@@ -175,6 +176,14 @@ TEST_P(FrictionOf, AReadStateGoesOnWithTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, FrictionOf, testing::Values(0.0, 30.0));
+
+TEST(BendFriction, ImpulsesAreRefused) {
+  FabricPatch patch("twintex-pw", 0.0, {40.0, 45.0});
+  const std::vector<char> free(patch.mesh.node_count(), 0);
+  EXPECT_THROW(
+      LatticeBending(patch.mesh, patch.packed, with_friction(1.0, 1.0, 0.1), free, patch.state, one_thread(), 4),
+      InputError);
+}
 
 TEST(BendFriction, WithoutFrictionThereIsNoState) {
   FabricPatch patch("twintex-pw", 0.0, {40.0, 45.0});
