@@ -83,7 +83,7 @@ void place_other_ends(const Mesh& mesh, const DrapeSurface& surface, const NetSt
       // the only yarn through this crossing with a direction is the other one: at right angles to it
       Vector3d other = vector_of(drape.position[across]) - x;
       if (mesh.nodes.crossing[across][1 - f] < mesh.nodes.crossing[crossing][1 - f]) other = -other;
-      Vector3d normal = surface.at(x, hint).gradient.normalized();
+      Vector3d normal = surface.normal(x, hint);
       if (normal.dot(start.normal) < 0.0) normal = -normal;
       direction = (f == 0 ? 1.0 : -1.0) * (end == b ? 1.0 : -1.0) * other.cross(normal);
     } else {

@@ -14,7 +14,7 @@ constexpr int steps_per_chord = 32;
 // The march's plane through x: along the last step, and the surface's normal.
 Circle march_circle(const DrapeSurface& surface, const Vector3d& x, const Vector3d& direction, double length,
                     int& hint) {
-  const Vector3d normal = surface.at(x, hint).gradient.normalized();
+  const Vector3d normal = surface.normal(x, hint);
   const Vector3d tangent = (direction - direction.dot(normal) * normal).normalized();
   return {x, tangent, normal, length};
 }

@@ -18,7 +18,8 @@ struct Generator {
 // From `seed` (on the surface) along the tangent `direction`: `count` nodes, each `chord` (mm) from the one before.
 // The geodesic is marched in steps of chord/32: the next point lies in the plane of the last step and the surface's
 // normal, which is exact for great circles and helices and of second order elsewhere (the error of such a step is some
-// thousand times below that of a cell); on triangles it is the straight line from facet to facet.
+// thousand times below that of a cell); on triangles it is the straight line from facet to
+// facet, turned at edges by the tilt of the smooth surface's normal (smooth_normals.hpp).
 [[nodiscard]] Generator geodesic(const DrapeSurface& surface, const Eigen::Vector3d& seed,
                                  const Eigen::Vector3d& direction, double chord, int count);
 

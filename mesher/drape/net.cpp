@@ -30,7 +30,7 @@ std::array<Quarter, 4> quarters(const NetBox& box) {
 void lay_generators(const DrapeSurface& surface, const NetStart& start, const std::vector<char>& needed,
                     DrapedNet& net) {
   int hint = 0;
-  Vector3d normal = surface.at(start.seed, hint).gradient.normalized();
+  Vector3d normal = surface.normal(start.seed, hint);
   if (normal.dot(start.normal) < 0.0) normal = -normal;
   const Vector3d warp = (start.warp - start.warp.dot(normal) * normal).normalized();
   const std::array<Vector3d, 2> direction = {warp, normal.cross(warp)};

@@ -167,7 +167,7 @@ DrapeStart drape_start(const Scene& scene, const Mesh& mesh, const std::vector<T
   net.spacing = mesh.spacing;
   net.seed = drape.seed ? given_seed(scene, start, spacing) : projected_seed(scene, start, tool);
   int hint = 0;
-  const Vector3d outward = start.surface->at(net.seed, hint).gradient.normalized();
+  const Vector3d outward = start.surface->normal(net.seed, hint);
   // The fabric's upper side stays up; where the tool stands upright, it is the outer one.
   net.normal = outward[2] < -1e-9 ? Vector3d(-outward) : outward;
   const double tolerance = start.offset + seed_tolerance * spacing;

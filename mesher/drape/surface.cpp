@@ -71,7 +71,23 @@ bool search(const DrapeSurface& surface, const Circle& c, double& t, bool& beyon
 
 }  // namespace
 
-ToolSurface::ToolSurface(Tool tool, double offset) : tool_(std::move(tool)), offset_(offset) {}
+ToolSurface::ToolSurface(Tool tool, double offset) : tool_(std::move(tool)), offset_(offset) {
+  if (tool_.shape == ToolShape::triangles) smooth_ = std::make_shared<SmoothNormals>(*tool_.surface);
+}
+
+Vector3d ToolSurface::normal(const Vector3d& x, int& hint) const {
+  if (!smooth_) return at(x, hint).gradient.normalized();
+  const auto& o = tool_.start.origin;
+  const Vector3d local = x - Vector3d(o[0], o[1], o[2]);
+  const SurfaceDistance found = tool_.surface->distance({local[0], local[1], local[2]}, hint);
+  hint = found.triangle;
+  if (found.beyond) {  // the surface goes on in the plane of its last triangle
+    const auto plane = tool_.surface->face_normal(found.triangle);
+    return {plane[0], plane[1], plane[2]};
+  }
+  return smooth_->at(found.triangle,
+                     local - found.distance * Vector3d(found.normal[0], found.normal[1], found.normal[2]));
+}
 
 SurfacePoint ToolSurface::at(const Vector3d& x, int& hint) const {
   SurfacePoint point;

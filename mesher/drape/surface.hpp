@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "mesher/drape/smooth_normals.hpp"
 #include "mesher/tools/tool.hpp"
 
 namespace weaveform {
@@ -23,6 +25,11 @@ public:
   virtual ~DrapeSurface() = default;
   // `hint` is kept by the caller from point to point, for speed alone.
   [[nodiscard]] virtual SurfacePoint at(const Eigen::Vector3d& x, int& hint) const = 0;
+  // Unit; what directions are carried along the surface with: the gradient's, but of triangles that of the surface they
+  // stand for (smooth_normals.hpp).
+  [[nodiscard]] virtual Eigen::Vector3d normal(const Eigen::Vector3d& x, int& hint) const {
+    return at(x, hint).gradient.normalized();
+  }
 };
 
 // A tool at its place at the start.
@@ -30,10 +37,12 @@ class ToolSurface : public DrapeSurface {
 public:
   ToolSurface(Tool tool, double offset);
   [[nodiscard]] SurfacePoint at(const Eigen::Vector3d& x, int& hint) const override;
+  [[nodiscard]] Eigen::Vector3d normal(const Eigen::Vector3d& x, int& hint) const override;
 
 private:
   Tool tool_;
-  double offset_;  // mm
+  double offset_;                                // mm
+  std::shared_ptr<const SmoothNormals> smooth_;  // of triangles
 };
 
 // Any smooth function with its gradient, e.g. a height field z - h(x, y).

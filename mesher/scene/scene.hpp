@@ -53,8 +53,9 @@ struct ModelSpec {
   SymmetryUse symmetry = SymmetryUse::automatic;
   std::optional<std::array<double, 2>>
       yarn_bending;  // N mm^2; of one yarn, in plane and out of plane; none: the card's
-  std::optional<std::array<double, 3>> cell_bending;  // N mm; warp, weft, twist; none: from the card (flexure.hpp)
-  Auto transverse_shear;                              // N/mm; of shell cells; none: the card's
+  std::optional<std::array<double, 3>> cell_bending;      // N mm; warp, weft, twist; none: from the card (flexure.hpp)
+  std::optional<std::array<double, 2>> bending_friction;  // N mm, 1/mm; of one yarn; none: the card's
+  Auto transverse_shear;                                  // N/mm; of shell cells; none: the card's
   bool operator==(const ModelSpec&) const = default;
 };
 

@@ -14,6 +14,7 @@ using Warnings = std::vector<std::string>;
 void warn_of_coarse_on_tools(const FinishedRun& run, Warnings& warnings);
 void warn_of_fast_loading(const FinishedRun& run, Warnings& warnings);
 void warn_of_folds_of_the_mesh(const FinishedRun& run, Warnings& warnings);
+void warn_of_unrest(const FinishedRun& run, Warnings& warnings);
 void warn_of_unsteady_tools(const FinishedRun& run, Warnings& warnings);
 void warn_of_compressed_yarns(const FinishedRun& run, Warnings& warnings);
 void warn_of_energy_error(const FinishedRun& run, Warnings& warnings);

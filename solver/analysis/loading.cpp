@@ -13,6 +13,7 @@ namespace {
 
 constexpr double sampled_to = 0.8813735870195430;  // gamma_L at 45 deg; few parts shear more
 constexpr int samples = 200;
+constexpr double hinge_share = 0.25;  // of g/L; see loading.hpp
 
 double least_shear_tangent(const ShearCard& card) {
   double least = shear_tangent(card, 0.0);
@@ -26,16 +27,41 @@ bool only_weight_acts(const Scene& scene) {
          std::none_of(scene.grip.begin(), scene.grip.end(), moves);
 }
 
+// 1/mm; where the law reaches a moment (N mm), `most` if it does not before.
+double curvature_at(const TangentLaw& law, double moment, double most) {
+  double low = 0.0, high = most;
+  if (law.stress(high) <= moment) return high;
+  for (int n = 0; n < 60; ++n) {
+    const double middle = 0.5 * (low + high);
+    (law.stress(middle) < moment ? low : high) = middle;
+  }
+  return high;
+}
+
+// N mm^2; the least of the law's stiffness at rest, its secant and its tangent at the moment.
+double stiffness_under(const TangentLaw& law, double moment, double most_curvature) {
+  const double curvature = curvature_at(law, moment, most_curvature);
+  const double loaded = std::min(law.stress(curvature) / curvature, law.tangent(curvature));
+  return std::min(law.tangent(0.0), std::max(loaded, 0.0));
+}
+
 // 1/s; see loading.hpp.
 double slowest_sway(const Scene& scene, const Card& card, double length) {
   const Flexure flexure = choose_flexure(card, scene.model);
-  double rigidity = std::numeric_limits<double>::infinity();  // N mm
-  for (std::size_t f = 0; f < 2; ++f)
-    rigidity = std::min(
-        rigidity, (flexure.has_shell ? flexure.shell : flexure.out_of_plane)[f].tangent(0.0) / card.yarn[f].interval);
   const auto& g = scene.analysis.gravity;
-  return std::sqrt(std::max(12.36 * rigidity / (card.area_density() * std::pow(length, 4)),
-                            1.446 * std::hypot(g[0], g[1], g[2]) / length));
+  const double gravity = std::hypot(g[0], g[1], g[2]);
+  const double clamp_moment = 0.5 * gravity * card.area_density() * length * length;  // N; per width
+  double rigidity = std::numeric_limits<double>::infinity();                          // N mm
+  bool softens = false;
+  for (std::size_t f = 0; f < 2; ++f) {
+    const TangentLaw& law = (flexure.has_shell ? flexure.shell : flexure.out_of_plane)[f];
+    const double interval = card.yarn[f].interval;
+    const double loaded = stiffness_under(law, clamp_moment * interval, 1.0 / card.thickness);
+    softens |= loaded < law.tangent(0.0);
+    rigidity = std::min(rigidity, loaded / interval);
+  }
+  const double hangs = (softens ? hinge_share : 1.0) * 1.446 * gravity / length;
+  return std::sqrt(std::max(12.36 * rigidity / (card.area_density() * std::pow(length, 4)), hangs));
 }
 
 }  // namespace

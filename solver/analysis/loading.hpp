@@ -13,7 +13,12 @@
 //   omega^2  = max(12.36 D/(area density L^4), 1.446 g/L)
 //   damping  = 2 omega (critical)
 //   duration = settling / omega ,
-// which leaves (1 + 12) exp(-12) = 1e-4 of the way.
+// which leaves (1 + 12) exp(-12) = 1e-4 of the way. A bending law that softens is taken where the load has it: at the
+// moment of the whole weight on the whole length, w L^2/2, and D is the least of its stiffness at rest, its secant and
+// its tangent there. Damped by more than what is left of its stiffness, a strip would creep and be stopped on the way;
+// damped by less, it swings and comes to rest as fast. A strip that has yielded at the clamp is hinged there by a
+// moment that hardly grows: down by an angle theta it sways with omega^2 = 3/2 g/L sin(theta), so that of g/L only a
+// quarter counts (theta = 14 deg); a law that does not soften has all of it.
 #pragma once
 
 #include <array>

@@ -42,8 +42,9 @@ struct BendKernels {
   LooseBendLoop loose;
 };
 
-// `curved`: the laws are CurvedFlexure, else ConstantFlexure. `isotropic`: in plane as out of plane, in both families.
-[[nodiscard]] BendKernels bend_kernels(bool curved, bool isotropic);
+// The laws are ConstantFlexure, CurvedFlexure or LongFlexure, as `shape` says. `isotropic`: in plane as out of plane, in
+// both families.
+[[nodiscard]] BendKernels bend_kernels(MomentShape shape, bool isotropic);
 
 // Twist of full cells: w,12 = q.n/(h1 h2) with q = x00 - x10 - x01 + x11 and n the normal of both diagonals;
 //   E = 2 D A (q.n)^2/(h1 h2)^2 , D = D_66 per width, A the flat area.

@@ -5,8 +5,8 @@ namespace weaveform {
 
 WEAVEFORM_CHOOSE_LOOPS(BendLoops, bend_loops)
 
-BendKernels bend_kernels(bool curved, bool isotropic) {
-  return chosen_bend_loops().bend_kernels(curved, isotropic);
+BendKernels bend_kernels(MomentShape shape, bool isotropic) {
+  return chosen_bend_loops().bend_kernels(shape, isotropic);
 }
 
 void twist_row(const BendRows& rows, const double* stiffness, int begin, int end, const TwistRowOutput& out) {

@@ -5,8 +5,8 @@ namespace weaveform {
 
 WEAVEFORM_CHOOSE_LOOPS(ShellLoops, shell_loops)
 
-EdgeKernels edge_kernels(bool curved) {
-  return chosen_shell_loops().edge_kernels(curved);
+EdgeKernels edge_kernels(MomentShape shape) {
+  return chosen_shell_loops().edge_kernels(shape);
 }
 
 void shell_twist_row(const ShellRows& rows, double inverse_spacing1, double inverse_spacing2, const double* stiffness,

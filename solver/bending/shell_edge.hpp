@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include "solver/element/kernel_law.hpp"
+#include "solver/bending/yarn_bend.hpp"
 
 namespace weaveform {
 
@@ -22,10 +22,11 @@ struct ConstantMoment {
 };
 struct CurvedMoment {
   GeneralLaw law;  // N mm per yarn against 1/mm
-  [[gnu::always_inline]] inline double secant(double square) const {
-    const double curvature = std::sqrt(square) + 1e-9;
-    return law.stress(curvature) / curvature;
-  }
+  [[gnu::always_inline]] inline double secant(double square) const { return law_secant(law, square); }
+};
+struct LongMoment {
+  const LongLaw* law;  // N mm per yarn against 1/mm
+  [[gnu::always_inline]] inline double secant(double square) const { return law_secant(*law, square); }
 };
 
 // The gradients of one edge's energy: bend = dE/d(t.(d_b - d_a)), shear = dE/d(t.(d_a + d_b)) .

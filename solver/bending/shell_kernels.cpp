@@ -86,9 +86,16 @@ void loose_edges(const void* moment_pointer, const LooseEdgeView& view, const do
   }
 }
 
-EdgeKernels edge_kernels(bool curved) {
-  if (curved) return {&edge_row<CurvedMoment>, &loose_edges<CurvedMoment>};
-  return {&edge_row<ConstantMoment>, &loose_edges<ConstantMoment>};
+EdgeKernels edge_kernels(MomentShape shape) {
+  switch (shape) {
+    case MomentShape::constant:
+      return {&edge_row<ConstantMoment>, &loose_edges<ConstantMoment>};
+    case MomentShape::short_law:
+      return {&edge_row<CurvedMoment>, &loose_edges<CurvedMoment>};
+    case MomentShape::long_law:
+      break;
+  }
+  return {&edge_row<LongMoment>, &loose_edges<LongMoment>};
 }
 
 void shell_twist_row(const ShellRows& row_pointers, double inverse_spacing1, double inverse_spacing2,

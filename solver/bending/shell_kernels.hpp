@@ -33,8 +33,8 @@ struct EdgeKernels {
   EdgeRow row;
   LooseEdgeLoop loose;
 };
-// `curved`: the law is a CurvedMoment, else a ConstantMoment.
-[[nodiscard]] EdgeKernels edge_kernels(bool curved);
+// The law is a ConstantMoment, CurvedMoment or LongMoment, as `shape` says.
+[[nodiscard]] EdgeKernels edge_kernels(MomentShape shape);
 
 // Twist of the cells with corners a[i], a[i+1], b[i], b[i+1]; `stiffness` = D_66 A (N mm^3). On a[i] p, on b[i+1] -p,
 // on b[i] q, on a[i+1] -q, for positions (xp, xq) and directors (dp, dq).

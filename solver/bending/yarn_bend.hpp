@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "solver/bending/long_law.hpp"
 #include "solver/element/kernel_law.hpp"
 
 namespace weaveform {
@@ -21,15 +22,21 @@ struct ConstantFlexure {
   [[gnu::always_inline]] inline double secant_out(double /*square*/) const { return out; }
 };
 
-// Moment-curvature laws; a curvature below 1e-9/mm is as good as none.
+// Moment-curvature laws, of few pieces and of many; a curvature below 1e-9/mm is as good as none.
+template <class Law>
+[[gnu::always_inline]] inline double law_secant(const Law& law, double square) {
+  const double curvature = std::sqrt(square) + 1e-9;
+  return law.stress(curvature) / curvature;
+}
 struct CurvedFlexure {
   GeneralLaw in, out;
-  [[gnu::always_inline]] static inline double secant(const GeneralLaw& law, double square) {
-    const double curvature = std::sqrt(square) + 1e-9;
-    return law.stress(curvature) / curvature;
-  }
-  [[gnu::always_inline]] inline double secant_in(double square) const { return secant(in, square); }
-  [[gnu::always_inline]] inline double secant_out(double square) const { return secant(out, square); }
+  [[gnu::always_inline]] inline double secant_in(double square) const { return law_secant(in, square); }
+  [[gnu::always_inline]] inline double secant_out(double square) const { return law_secant(out, square); }
+};
+struct LongFlexure {
+  const LongLaw *in, *out;
+  [[gnu::always_inline]] inline double secant_in(double square) const { return law_secant(*in, square); }
+  [[gnu::always_inline]] inline double secant_out(double square) const { return law_secant(*out, square); }
 };
 
 // dE/dt+ = g = -dE/dt-, and what the normal feels, dE/dn, added to h. `yarns` bend over `spread` = 1/inverse_spread.

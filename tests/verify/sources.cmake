@@ -2,8 +2,11 @@ set(VERIFY_SOURCES
   verify/free_patch_energy_test.cpp
   verify/drape_net_test.cpp
   verify/drape_start_test.cpp
+  verify/drape_triangles_test.cpp
+  verify/fit_bending_test.cpp
   verify/fit_coverage_test.cpp
   verify/fit_paper_tables_test.cpp
+  verify/measured_strip_test.cpp
   verify/fit_traps_test.cpp
   verify/bias_extension_test.cpp
   verify/shear_frame_test.cpp

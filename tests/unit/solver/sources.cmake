@@ -1,6 +1,7 @@
 set(UNIT_SOLVER_SOURCES
   unit/solver/analysis/steered_test.cpp
   unit/solver/analysis/world_test.cpp
+  unit/solver/bending/bend_friction_test.cpp
   unit/solver/bending/bending_test.cpp
   unit/solver/bending/shell_test.cpp
   unit/solver/constraint/mirror_planes_test.cpp

@@ -56,6 +56,7 @@ Scene unusual_scene() {
                  .symmetry = SymmetryUse::half,
                  .yarn_bending = {{3.5, 1.0 / 7}},
                  .cell_bending = {{1, 2, 0.3}},
+                 .bending_friction = {{0.04, 1.0 / 900}},
                  .transverse_shear = 0.7};
   scene.grip = {{.name = "held",
                  .edge = BlankEdge::left,

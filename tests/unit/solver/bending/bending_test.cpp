@@ -1,12 +1,16 @@
 // Bending without unknowns: beams and rotation-free cells.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
+#include "core/error.hpp"
 #include "solver/bending/bending_energy.hpp"
 #include "solver/bending/lattice_bending.hpp"
+#include "solver/bending/moment_law.hpp"
 #include "tests/support/fabric_patch.hpp"
 
 namespace weaveform {
@@ -24,6 +28,18 @@ TangentLaw curved(double scale) {
   return TangentLaw({{0.0, 0.02, {scale, 40.0 * scale}},
                      {0.02, 0.1, {0.4 * scale}},
                      {0.1, std::numeric_limits<double>::infinity(), {0.1 * scale}}});
+}
+
+// The same law, cut into pieces of 0.002/mm up to 0.12/mm.
+TangentLaw in_many_pieces(const TangentLaw& law) {
+  std::vector<TangentPiece> pieces;
+  for (int k = 0; k < 60; ++k) {
+    const double from = 0.002 * k, to = 0.002 * (k + 1), middle = from + 0.001;
+    const auto whole = std::find_if(law.pieces().begin(), law.pieces().end(),
+                                    [&](const TangentPiece& piece) { return middle < piece.to; });
+    pieces.push_back({from, to, whole->coefficient});
+  }
+  return TangentLaw(pieces);
 }
 
 Flexure flexure(const TangentLaw& in, const TangentLaw& out, double twist) {
@@ -67,7 +83,8 @@ protected:
   [[nodiscard]] static Flexure law(int kind) {
     if (kind == 0) return flexure(constant(5.0), constant(5.0), 0.0);   // isotropic
     if (kind == 1) return flexure(constant(30.0), constant(5.0), 0.7);  // with the fabric's normal, and twist
-    return flexure(curved(20.0), curved(5.0), 0.7);
+    if (kind == 2) return flexure(curved(20.0), curved(5.0), 0.7);
+    return flexure(in_many_pieces(curved(20.0)), curved(5.0), 0.7);
   }
 };
 
@@ -144,7 +161,41 @@ TEST_P(BendingOf, TrellisShearAndRigidMotionGiveNoForce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AnglesAndLaws, BendingOf,
-                         testing::Combine(testing::Values(0.0, 30.0, 45.0), testing::Values(0, 1, 2)));
+                         testing::Combine(testing::Values(0.0, 30.0, 45.0), testing::Values(0, 1, 2, 3)));
+
+// Measured curves come in dozens of pieces: what a law is cut into does not matter, but for rounding.
+TEST(Bending, ALawInManyPiecesIsTheSameLaw) {
+  const auto few = flexure(curved(20.0), curved(5.0), 0.7);
+  const auto many = flexure(in_many_pieces(few.in_plane[0]), in_many_pieces(few.out_of_plane[0]), 0.7);
+  CrumpledPatch crumpled(30.0);
+  const auto one = crumpled.forces(few), other = crumpled.forces(many);
+  double greatest = 0.0;
+  for (const auto& f : one) greatest = std::max(greatest, f.norm());
+  ASSERT_GT(greatest, 0.1);
+  for (std::size_t n = 0; n < one.size(); ++n) EXPECT_LT((one[n] - other[n]).norm(), 1e-12 * greatest) << n;
+}
+
+TEST(Bending, MomentsOfLawsOfAllShapesAreThoseOfTheCard) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<TangentPiece> steps;
+  for (int k = 0; k < 255; ++k) steps.push_back({1e-3 * k * k, 1e-3 * (k + 1) * (k + 1), {1.0 + k % 7, -1e-3}});
+  const TangentLaw longest(steps), from_minus({{-infinity, 0.01, {3.0}}, {0.01, 0.02, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}}}),
+      late({{0.05, infinity, {2.0, 1.0}}});
+  for (const TangentLaw& law : {curved(3.0), in_many_pieces(curved(3.0)), longest, from_minus, late}) {
+    const auto packed = long_moment(law);
+    for (int k = 0; k < 4000; ++k) {
+      const double curvature = 2e-8 * k * k * k;
+      EXPECT_NEAR(packed->stress(curvature), law.stress(curvature), 1e-12 * (1e-3 + std::abs(law.stress(curvature))));
+    }
+  }
+  EXPECT_EQ(moment_shape(constant(2.0)), MomentShape::constant);
+  EXPECT_EQ(moment_shape(TangentLaw()), MomentShape::constant);
+  EXPECT_EQ(moment_shape(curved(2.0)), MomentShape::short_law);
+  EXPECT_EQ(moment_shape(longest), MomentShape::long_law);
+  steps.push_back({1e-3 * 255 * 255, 1e-3 * 256 * 256, {1.0}});
+  EXPECT_THROW((void)moment_shape(TangentLaw(steps)), InputError);  // 256, and what goes on beyond the last
+  EXPECT_THROW((void)moment_shape(TangentLaw({{0.0, 1.0, {1, 1, 1, 1, 1, 1, 1}}})), InputError);
+}
 
 // A cylinder of radius R along the weft: out-of-plane curvature 1/R along the warp, none in plane or along the weft.
 // Chords of length L turn by 2 asin(L/2R); the error of the curvature is L^2/(24 R^2) and the series adds less.

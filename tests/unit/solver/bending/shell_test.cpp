@@ -16,10 +16,20 @@ namespace {
 using Eigen::Vector3d;
 using test::FabricPatch;
 
-Flexure shell_flexure(bool curved) {
+// A constant stiffness, a curved one, and one of 20 steps that fall.
+enum class Moment { constant, curved, steps };
+
+TangentLaw moment_law(Moment moment) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const TangentLaw law =
-      curved ? TangentLaw({{0.0, 0.05, {8.0, 60.0}}, {0.05, infinity, {2.0}}}) : TangentLaw({{0.0, infinity, {8.0}}});
+  if (moment == Moment::constant) return TangentLaw({{0.0, infinity, {8.0}}});
+  if (moment == Moment::curved) return TangentLaw({{0.0, 0.05, {8.0, 60.0}}, {0.05, infinity, {2.0}}});
+  std::vector<TangentPiece> steps;
+  for (int k = 0; k < 20; ++k) steps.push_back({0.01 * k, 0.01 * (k + 1), {12.0 - 0.5 * k, -2.0}});
+  return TangentLaw(steps);
+}
+
+Flexure shell_flexure(Moment moment) {
+  const TangentLaw law = moment_law(moment);
   Flexure flexure;
   flexure.shell = {law, law};
   flexure.twist = 0.9;
@@ -60,14 +70,14 @@ struct ShellPatch {
   }
 };
 
-class ShellOf : public testing::TestWithParam<std::tuple<double, bool>> {};
+class ShellOf : public testing::TestWithParam<std::tuple<double, Moment>> {};
 
 // Central differences as in bending_test.cpp. Directors are moved as free vectors: the energy is a function of all
 // three components, and the motion projects.
 TEST_P(ShellOf, ForcesAreMinusTheGradientsOfTheStoredEnergy) {
-  const auto [angle, curved] = GetParam();
+  const auto [angle, law] = GetParam();
   ShellPatch p(angle, 0.3);
-  const auto shell = p.shell(shell_flexure(curved));
+  const auto shell = p.shell(shell_flexure(law));
   auto directors = p.crumpled_directors();
   shell->set_directors(directors);
   const auto force = p.add_forces(*shell);
@@ -103,11 +113,11 @@ TEST_P(ShellOf, ForcesAreMinusTheGradientsOfTheStoredEnergy) {
 }
 
 TEST_P(ShellOf, ForcesBalanceAndAnyNumberOfThreadsGivesTheSameBits) {
-  const auto [angle, curved] = GetParam();
+  const auto [angle, law] = GetParam();
   ShellPatch p(angle, 0.3);
   const auto directors = p.crumpled_directors();
   Team team(3);
-  const auto one = p.shell(shell_flexure(curved)), three = p.shell(shell_flexure(curved), team);
+  const auto one = p.shell(shell_flexure(law)), three = p.shell(shell_flexure(law), team);
   one->set_directors(directors);
   three->set_directors(directors);
   const auto force = p.add_forces(*one), again = p.add_forces(*three);
@@ -130,9 +140,9 @@ TEST_P(ShellOf, ForcesBalanceAndAnyNumberOfThreadsGivesTheSameBits) {
 
 // The directors of a flat trellis stay its normals; turned with it, they give nothing.
 TEST_P(ShellOf, TrellisShearAndRigidMotionGiveNoForce) {
-  const auto [angle, curved] = GetParam();
+  const auto [angle, law] = GetParam();
   ShellPatch p(angle, 0.0);
-  const auto shell = p.shell(shell_flexure(curved));
+  const auto shell = p.shell(shell_flexure(law));
   const auto [g1, g2] = p.patch.yarn_directions();
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const Vector3d to = std::sin(0.6) * g1 + std::cos(0.6) * g2, normal = turn * Vector3d::UnitZ();
@@ -149,12 +159,13 @@ TEST_P(ShellOf, TrellisShearAndRigidMotionGiveNoForce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AnglesAndLaws, ShellOf,
-                         testing::Combine(testing::Values(0.0, 30.0, 45.0), testing::Values(false, true)));
+                         testing::Combine(testing::Values(0.0, 30.0, 45.0),
+                                          testing::Values(Moment::constant, Moment::curved, Moment::steps)));
 
 // Alternating directors are the mode that one point at a cell's centre does not see.
 TEST(Shell, AlternatingDirectorsCostEnergyAndAreCountedAsHourglass) {
   ShellPatch p(0.0, 0.0);
-  const auto shell = p.shell(shell_flexure(false));
+  const auto shell = p.shell(shell_flexure(Moment::constant));
   std::vector<Vec3> directors;
   constexpr double tilt = 0.01;
   for (int n = 0; n < p.patch.mesh.node_count(); ++n) {
@@ -175,7 +186,7 @@ TEST(Shell, AlternatingDirectorsCostEnergyAndAreCountedAsHourglass) {
 // A free director with a speed turns uniformly along a great circle for ever.
 TEST(Shell, AFreeDirectorTurnsUniformly) {
   ShellPatch p(0.0, 0.0);
-  Flexure none = shell_flexure(false);
+  Flexure none = shell_flexure(Moment::constant);
   for (auto& law : none.shell) law = TangentLaw({{0.0, std::numeric_limits<double>::infinity(), {0.0}}});
   none.twist = none.transverse_shear = 0.0;
   const auto shell = p.shell(none);
