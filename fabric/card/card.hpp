@@ -18,6 +18,14 @@ namespace weaveform {
 // In the order of every array of two: what a yarn of family f is called.
 inline const std::vector<std::string> yarn_families = {"warp", "weft"};
 
+// Friction in bending (Dahl 1968): a moment beside the law's that tends to `moment`, against the curvature's change, over
+// curvatures of the order of `rise`; after a reversal it is moment (1 - 2 exp(-|change|/rise)). Zero moment: none.
+struct BendingFriction {
+  double moment = 0.0;  // N mm; of one yarn
+  double rise = 0.0;    // 1/mm
+  bool operator==(const BendingFriction&) const = default;
+};
+
 struct YarnCard {
   double linear_density = 0.0;  // tonne/mm; card files give tex, 1 tex = 1 g/km = 1e-12 tonne/mm
   double section = 0.0;         // mm^2; given, or Eq. 11 from linear density, fibre volume fraction and densities
@@ -32,6 +40,7 @@ struct YarnCard {
   // Moment of one yarn (N mm) against its curvature (1/mm) as a tangent law in N mm^2, odd in the curvature's sign; in
   // the fabric's plane and out of it. No pieces: the card does not say. A fibre bundle bends far more easily than E I.
   TangentLaw bending_in_plane, bending_out_of_plane;
+  BendingFriction bending_friction;  // out of the plane and in it alike
   bool operator==(const YarnCard&) const = default;
 };
 

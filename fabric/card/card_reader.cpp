@@ -140,6 +140,7 @@ YarnCard yarn_of(const YarnFile& file, const YarnTables& tables, const std::stri
   yarn.bending_out_of_plane =
       flexure_of(file.bending_out_of_plane, "bending_out_of_plane", file, tables, yarn_name, complaints);
   yarn.bending_in_plane = flexure_of(file.bending_in_plane, "bending_in_plane", file, tables, yarn_name, complaints);
+  yarn.bending_friction = file.bending_friction;
   if (file.bending_in_plane.empty()) yarn.bending_in_plane = yarn.bending_out_of_plane;
   if (!(yarn.linear_modulus > 0.0)) {
     complaints.add(tables.place("tension"),
@@ -249,6 +250,7 @@ YarnFile file_of(const YarnCard& yarn) {
   if (file.compression.empty()) file.compression_modulus = yarn.compression_modulus;
   file.bending_out_of_plane = yarn.bending_out_of_plane.pieces();
   file.bending_in_plane = yarn.bending_in_plane.pieces();
+  file.bending_friction = yarn.bending_friction;
   return file;
 }
 

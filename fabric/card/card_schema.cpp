@@ -27,6 +27,11 @@ const std::vector<Key<ShearStart>> start_keys = {
     key<&ShearStart::rise>({.name = "rise", .unit = "1", .limits = above(0), .required = true}),
 };
 
+const std::vector<Key<BendingFriction>> friction_keys = {
+    key<&BendingFriction::moment>({.name = "moment", .unit = "N mm", .limits = between(0, 1e6), .required = true}),
+    key<&BendingFriction::rise>({.name = "rise", .unit = "1/mm", .limits = above(0, 10), .required = true}),
+};
+
 // Each piece begins where the one before ended, the first at zero strain; only the last may have no end.
 void check_piece(const toml::node& node, const std::vector<TangentPiece>& before, const TangentPiece& piece,
                  Complaints& complaints) {
@@ -78,6 +83,13 @@ void read_value(const toml::node& node, const KeyRule& rule, ShearStart& value, 
   require_keys(*table, "'" + rule.name + "'", start_keys, complaints);
 }
 
+void read_value(const toml::node& node, const KeyRule& rule, BendingFriction& value, Complaints& complaints) {
+  const auto* table = node.as_table();
+  if (table == nullptr) return complain_type(node, rule, type_words(value), complaints);
+  read_keys(*table, "'" + rule.name + "'", friction_keys, value, complaints);
+  require_keys(*table, "'" + rule.name + "'", friction_keys, complaints);
+}
+
 TomlText toml_text(const std::vector<TangentPiece>& value) {
   if (value.empty()) return std::nullopt;
   std::string text = "[\n";
@@ -90,11 +102,19 @@ TomlText toml_text(const ShearStart& value) {
   return fmt::format("{{ plateau = {}, rise = {} }}", *toml_text(value.plateau), *toml_text(value.rise));
 }
 
+TomlText toml_text(const BendingFriction& value) {
+  if (value.moment == 0.0) return std::nullopt;
+  return fmt::format("{{ moment = {}, rise = {} }}", *toml_text(value.moment), *toml_text(value.rise));
+}
+
 std::string type_words(const std::vector<TangentPiece>&) {
   return "a list of pieces { from = STRAIN, to = STRAIN, coefficients = [c0, c1, ...] }";
 }
 std::string type_words(const ShearStart&) {
   return "{ plateau = MPA, rise = STRAIN }";
+}
+std::string type_words(const BendingFriction&) {
+  return "{ moment = N_MM, rise = PER_MM }";
 }
 
 const std::vector<Key<HeadFile>>& head_keys() {
@@ -199,6 +219,11 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
       key<&YarnFile::bending_in_plane>({.name = "bending_in_plane",
                                         .unit = "N mm^2",
                                         .doc = "the same in the fabric's plane; left out: that out of the plane"}),
+      key<&YarnFile::bending_friction>(
+          {.name = "bending_friction",
+           .doc = "friction in bending (Dahl), of one yarn out of the fabric's plane and in it: a moment beside the "
+                  "law's that tends to `moment` (N mm), against the curvature's change, over curvatures of the order "
+                  "of `rise` (1/mm), whatever element bends; a loop is 2 `moment` wide. Left out: none"}),
   };
   return keys;
 }

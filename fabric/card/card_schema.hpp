@@ -31,6 +31,7 @@ struct YarnFile {
   std::optional<double> compression_modulus;                         // MPa
   std::vector<TangentPiece> compression;                             // MPa
   std::vector<TangentPiece> bending_in_plane, bending_out_of_plane;  // N mm^2
+  BendingFriction bending_friction;                                  // N mm, 1/mm
 };
 
 struct ShearFile {
@@ -49,9 +50,12 @@ struct ShearFile {
 // Values of a card's own types, for the key table (see key_value.hpp).
 void read_value(const toml::node& node, const KeyRule& rule, std::vector<TangentPiece>& value, Complaints& complaints);
 void read_value(const toml::node& node, const KeyRule& rule, ShearStart& value, Complaints& complaints);
+void read_value(const toml::node& node, const KeyRule& rule, BendingFriction& value, Complaints& complaints);
 [[nodiscard]] TomlText toml_text(const std::vector<TangentPiece>& value);
 [[nodiscard]] TomlText toml_text(const ShearStart& value);
+[[nodiscard]] TomlText toml_text(const BendingFriction& value);
 [[nodiscard]] std::string type_words(const std::vector<TangentPiece>&);
 [[nodiscard]] std::string type_words(const ShearStart&);
+[[nodiscard]] std::string type_words(const BendingFriction&);
 
 }  // namespace weaveform

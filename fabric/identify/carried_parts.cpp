@@ -11,7 +11,8 @@ namespace weaveform::identify {
 namespace {
 
 // Tests make these; what an older card says of them is past.
-const std::vector<std::string> measured = {"tension", "linear_modulus", "valid_to", "compression_modulus"};
+const std::vector<std::string> measured_tension = {"tension", "linear_modulus", "valid_to", "compression_modulus"};
+const std::vector<std::string> measured_bending = {"rigidity", "bending_out_of_plane"};
 // Given once: by one key or by the others.
 const std::vector<std::vector<std::string>> alternatives = {{"section", "fibre_volume_fraction"},
                                                             {"section", "fibre_density"},
@@ -41,7 +42,8 @@ bool has_alternative(const std::vector<Key<Spec>>& keys, const Spec& spec, const
 // `old` beside `spec`: keys only the old has are taken, those that differ are told.
 template <class Spec>
 void carry_table(const std::vector<Key<Spec>>& keys, const Spec& old, const toml::table& table,
-                 const std::string& title, Spec& spec, std::vector<std::string>& said) {
+                 const std::string& title, const std::vector<std::string>& measured, Spec& spec,
+                 std::vector<std::string>& said) {
   std::vector<std::string> taken;
   Complaints none("card");
   const Spec before = spec;
@@ -87,8 +89,10 @@ toml::table family_table(const toml::table& root, const std::string& family) {
 
 }  // namespace
 
-std::vector<std::string> carry_typed_parts(const std::string& replaced, const std::string& file, CardParts& parts) {
-  std::vector<std::string> said;
+std::vector<std::string> carry_typed_parts(const std::string& replaced, const std::string& file, bool bending_measured,
+                                           CardParts& parts) {
+  std::vector<std::string> said, measured = measured_tension;
+  if (bending_measured) measured.insert(measured.end(), measured_bending.begin(), measured_bending.end());
   try {
     (void)read_card_text(replaced, file);
   } catch (const InputError& error) {
@@ -103,12 +107,12 @@ std::vector<std::string> carry_typed_parts(const std::string& replaced, const st
     const toml::table table = family_table(root, yarn_families[f]);
     YarnFile old;
     read_keys(table, "[yarn]", yarn_keys(), old, none);
-    carry_table(yarn_keys(), old, table, "[yarn." + yarn_families[f] + "]", parts.yarn[f], said);
+    carry_table(yarn_keys(), old, table, "[yarn." + yarn_families[f] + "]", measured, parts.yarn[f], said);
   }
   if (const toml::table* table = root["bending"].as_table()) {
     BendingCard old;
     read_keys(*table, "[bending]", bending_keys(), old, none);
-    carry_table(bending_keys(), old, *table, "[bending]", parts.bending, said);
+    carry_table(bending_keys(), old, *table, "[bending]", measured, parts.bending, said);
   }
   return said;
 }

@@ -17,8 +17,8 @@ struct CardParts {
 
 // Keys of the yarns and of [bending] that `replaced` (the text of a card file, `file` in messages) has and `parts` lack
 // are taken over. One line each for what was, and for values that the fit does not measure and gives otherwise. Throws
-// InputError for a text that is no card, which would be lost.
+// InputError for a text that is no card, which would be lost. `bending_measured`: the fit's tests make the bending laws.
 [[nodiscard]] std::vector<std::string> carry_typed_parts(const std::string& replaced, const std::string& file,
-                                                         CardParts& parts);
+                                                         bool bending_measured, CardParts& parts);
 
 }  // namespace weaveform::identify

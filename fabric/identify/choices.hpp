@@ -41,4 +41,27 @@ constexpr auto choices_of(StressKind) {
   return std::to_array<Choice<StressKind>>({{StressKind::true_stress, "true"}, {StressKind::nominal, "nominal"}});
 }
 
+// bending_law.from
+enum class BendingSource { automatic, moment_curvature, cantilever, peirce };
+constexpr auto choices_of(BendingSource) {
+  return std::to_array<Choice<BendingSource>>({{BendingSource::automatic, "auto"},
+                                               {BendingSource::moment_curvature, "moment_curvature"},
+                                               {BendingSource::cantilever, "cantilever"},
+                                               {BendingSource::peirce, "peirce"}});
+}
+
+// direction of moment_curvature, cantilever and peirce
+enum class TestedDirection { both, warp, weft };
+constexpr auto choices_of(TestedDirection) {
+  return std::to_array<Choice<TestedDirection>>(
+      {{TestedDirection::both, "both"}, {TestedDirection::warp, "warp"}, {TestedDirection::weft, "weft"}});
+}
+
+// sense of moment_curvature and cantilever
+enum class BentSense { both, face, back };
+constexpr auto choices_of(BentSense) {
+  return std::to_array<Choice<BentSense>>(
+      {{BentSense::both, "both"}, {BentSense::face, "face"}, {BentSense::back, "back"}});
+}
+
 }  // namespace weaveform::identify

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/files/files.hpp"
@@ -163,12 +164,28 @@ void refuse_few(const Curve& curve) {
                                curve.x.size(), least_points));
 }
 
+// Quantities whose units are mistaken for each other.
+std::vector<Quantity> alike(Quantity quantity) {
+  if (quantity == Quantity::moment || quantity == Quantity::moment_per_length)
+    return {Quantity::moment, Quantity::moment_per_length};
+  return {quantity};
+}
+
 // A heading or a row of units that names another unit than the fit file does.
 void check_unit(const RawTable& table, std::size_t column, const Channel& channel) {
   for (const auto* row : {&table.heading, &table.units}) {
     if (column >= row->size()) continue;
-    const auto named = unit_in((*row)[column], channel.quantity);
-    if (named && *named != channel.unit)
+    // of moments, a heading may say that they are per width where the fit file says they are not, and the reverse
+    std::optional<std::string> named;
+    bool same = true;
+    for (const Quantity quantity : alike(channel.quantity)) {
+      const auto found = unit_in((*row)[column], quantity);
+      if (!found || (named && found->size() <= named->size())) continue;
+      named = found;
+      same =
+          quantity == channel.quantity && unit_factor(quantity, *found) == unit_factor(channel.quantity, channel.unit);
+    }
+    if (named && !same)
       throw InputError(
           fmt::format("{}: the file calls the {} '{}', but {}_unit is '{}'; which is right? say {}_unit = "
                       "\"{}\", or rename the column",
@@ -221,9 +238,8 @@ Curve prepared_curve(Curve raw, const Channel& x, const Channel& y) {
   return raw;
 }
 
-std::vector<Curve> load_curves(const TestSpec& test, const std::filesystem::path& fit_file, const Channel& x,
-                               const Channel& y) {
-  std::vector<Curve> curves;
+void for_each_specimen(const TestSpec& test, const std::filesystem::path& fit_file, const Channel& x, const Channel& y,
+                       const std::function<void(Curve raw, std::size_t file)>& use) {
   std::vector<std::string> complaints;
   const auto collect = [&](const auto& action) {
     try {
@@ -232,22 +248,36 @@ std::vector<Curve> load_curves(const TestSpec& test, const std::filesystem::path
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
   };
-  for (const auto& name : test.files) {
+  for (std::size_t k = 0; k < test.files.size(); ++k) {
     collect([&] {
-      const auto path = fit_file.parent_path() / name;
+      const auto path = fit_file.parent_path() / test.files[k];
       const RawTable table =
           read_raw_table(read_text_file(path), path.string(), {test.delimiter, test.decimal, test.skip_lines});
       const auto x_values = values_of(table, x), y_values = values_of(table, y);
       for (auto& curve : split_specimens(table, test, path.string(), x_values, y_values))
-        collect([&] { curves.push_back(prepared_curve(std::move(curve), x, y)); });
+        collect([&] { use(std::move(curve), k); });
     });
   }
   if (!complaints.empty()) throw InputError(complaints);
-  // Messages name the whole path; the report names the file as the fit file does.
+}
+
+std::string name_beside(const std::string& specimen, const std::filesystem::path& fit_file) {
   const std::string folder = (fit_file.parent_path() / "").string();
-  for (auto& curve : curves) {
-    if (!folder.empty() && curve.specimen.starts_with(folder)) curve.specimen.erase(0, folder.size());
-  }
+  return !folder.empty() && specimen.starts_with(folder) ? specimen.substr(folder.size()) : specimen;
+}
+
+Curve complete_rows(Curve raw) {
+  drop_missing(raw);
+  refuse_few(raw);
+  return raw;
+}
+
+std::vector<Curve> load_curves(const TestSpec& test, const std::filesystem::path& fit_file, const Channel& x,
+                               const Channel& y) {
+  std::vector<Curve> curves;
+  for_each_specimen(test, fit_file, x, y,
+                    [&](Curve raw, std::size_t /*file*/) { curves.push_back(prepared_curve(std::move(raw), x, y)); });
+  for (auto& curve : curves) curve.specimen = name_beside(curve.specimen, fit_file);
   return curves;
 }
 

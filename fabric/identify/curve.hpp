@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,15 @@ struct Curve {
 // The curves of all specimens of a test, one or more for each of its files, in order. Complaints of all files at once.
 [[nodiscard]] std::vector<Curve> load_curves(const TestSpec& test, const std::filesystem::path& fit_file,
                                              const Channel& x, const Channel& y);
+
+// The same before any preparation: rows of every specimen as recorded, in the project's units, with the index of its
+// file. Whatever `use` complains about is collected over all of them.
+void for_each_specimen(const TestSpec& test, const std::filesystem::path& fit_file, const Channel& x, const Channel& y,
+                       const std::function<void(Curve raw, std::size_t file)>& use);
+// Rows without a value left out, in the order of recording. Throws InputError: too few.
+[[nodiscard]] Curve complete_rows(Curve raw);
+// Messages name the whole path; the report names the file as the fit file does.
+[[nodiscard]] std::string name_beside(const std::string& specimen, const std::filesystem::path& fit_file);
 
 [[nodiscard]] Channel displacement_channel(const TestSpec& test);
 [[nodiscard]] Channel force_channel(const TestSpec& test);

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "fabric/identify/fit_schema.hpp"
+#include "fabric/identify/unit.hpp"
 
 namespace weaveform::identify {
 namespace {
@@ -136,7 +137,11 @@ std::vector<TestSpec> read_tests(const toml::table& root, const std::string& nam
                                       {"strain_factor", test.strain_factor},
                                       {"stress_factor", test.stress_factor},
                                       {"angle_factor", test.angle_factor},
-                                      {"normalised_force_factor", test.normalised_force_factor}})
+                                      {"normalised_force_factor", test.normalised_force_factor},
+                                      {"curvature_factor", test.curvature_factor},
+                                      {"moment_factor", test.moment_factor},
+                                      {"x_factor", test.x_factor},
+                                      {"y_factor", test.y_factor}})
       if (factor == 0.0) complaints.add(item, fmt::format("'{}' is 0; it must not be", key));
     tests.push_back(test);
   }
@@ -187,6 +192,39 @@ void check_bias(const toml::node& place, const TestSpec& test, Complaints& compl
                                       *test.length, *test.width));
 }
 
+bool is_unit_of(const std::string& name, Quantity quantity) {
+  const auto names = unit_names(quantity);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_moment_curvature(const toml::node& place, const TestSpec& test, Complaints& complaints) {
+  const bool per_width = is_unit_of(test.moment_unit, Quantity::moment_per_length);
+  if (!per_width && !test.specimen_width)
+    complaints.add(place, fmt::format("[[moment_curvature]] has moments in '{}', of the whole specimen, but no "
+                                      "'specimen_width' (mm); add it, or correct 'moment_unit'",
+                                      test.moment_unit));
+  if (per_width && test.specimen_width)
+    complaints.add(place, fmt::format("[[moment_curvature]] has moments in '{}', which is per width already, and a "
+                                      "'specimen_width'; leave it out, or correct 'moment_unit'",
+                                      test.moment_unit));
+}
+
+void check_cantilever(const toml::node& place, const TestSpec& test, Complaints& complaints) {
+  if (test.overhangs.size() > 1 && test.overhangs.size() != test.files.size())
+    complaints.add(place, fmt::format("[[cantilever]] has {} 'overhangs' for {} 'files'; give one for each, in the "
+                                      "same order, or one for all",
+                                      test.overhangs.size(), test.files.size()));
+}
+
+void check_peirce(const toml::node& place, const TestSpec& test, Complaints& complaints) {
+  const int lists =
+      (test.bending_lengths.empty() ? 0 : 1) + (test.overhangs.empty() ? 0 : 1) + (test.rigidities.empty() ? 0 : 1);
+  if (lists != 1)
+    complaints.add(place, fmt::format("[[peirce]] has {} of 'bending_lengths', 'overhangs' and 'rigidities'; give one "
+                                      "of them",
+                                      lists == 0 ? "none" : "several"));
+}
+
 template <class Check>
 void check_each(const toml::table& root, const std::string& name, const std::vector<TestSpec>& tests, Check check,
                 Complaints& complaints) {
@@ -195,14 +233,19 @@ void check_each(const toml::table& root, const std::string& name, const std::vec
 
 void check_names(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
   std::set<std::string> names;
-  for (const auto* tests : {&spec.tensile, &spec.shear_frame, &spec.bias_extension}) {
+  bool any = false;
+  for (const auto* tests : {&spec.tensile, &spec.shear_frame, &spec.bias_extension, &spec.moment_curvature,
+                            &spec.cantilever, &spec.peirce}) {
+    any = any || !tests->empty();
     for (const auto& test : *tests) {
       if (!test.name.empty() && !names.insert(test.name).second)
         complaints.add(root, fmt::format("two tests are called '{}'; give each a name of its own", test.name));
     }
   }
-  if (names.empty() && spec.tensile.empty() && spec.shear_frame.empty() && spec.bias_extension.empty())
-    complaints.add(root, "the file names no test; add [[tensile]], [[shear_frame]] or [[bias_extension]]");
+  if (!any)
+    complaints.add(root,
+                   "the file names no test; add [[tensile]], [[shear_frame]], [[bias_extension]], "
+                   "[[moment_curvature]], [[cantilever]] or [[peirce]]");
 }
 
 bool rises(const std::array<double, 2>& range) {
@@ -235,7 +278,32 @@ void check_sources(const toml::table& root, const FitSpec& spec, Complaints& com
     complaints.add(root, "'angles' and 'bias_angles' of [shear] must rise: [from, to]");
 }
 
+// Whether what the file gives of bending beside its tests of bending can be meant.
+void check_bending(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
+  const BendingSource from = spec.bending_law.from;
+  for (const auto& [source, tests] : {std::pair(BendingSource::moment_curvature, &spec.moment_curvature),
+                                      {BendingSource::cantilever, &spec.cantilever},
+                                      {BendingSource::peirce, &spec.peirce}})
+    if (from == source && tests->empty())
+      complaints.add(
+          root, fmt::format("[bending_law] takes the law 'from' [[{0}]], but there is none; add one", name_of(source)));
+  if (spec.moment_curvature.empty() && spec.cantilever.empty() && spec.peirce.empty()) return;
+  if (const toml::node* given = root["bending"]["rigidity"].node())
+    complaints.add(*given, "'rigidity' of [bending] is given beside tests that measure it; leave out one of them");
+  for (const auto& yarn : {root["yarn"], root["yarn"]["warp"], root["yarn"]["weft"]})
+    if (const toml::node* given = yarn["bending_out_of_plane"].node())
+      complaints.add(*given,
+                     "'bending_out_of_plane' is given beside tests of bending, which make it; leave out one of them");
+}
+
 }  // namespace
+
+double FitSpec::area_weight() const {
+  constexpr double tex = 1e-12, standard_gravity = 9806.65;  // tonne/mm, mm/s^2
+  double density = 0.0;
+  for (const auto& family : yarn) density += family.linear_density * tex / family.interval;
+  return density * standard_gravity;
+}
 
 FitSpec read_fit(const std::filesystem::path& file) {
   return read_fit_text(read_text_file(file, most_written_by_hand), file.string());
@@ -247,7 +315,8 @@ FitSpec read_fit_text(const std::string& text, const std::string& name) {
   FitSpec spec;
   spec.file = name;
   read_keys(root, "a fit file", fit_head_keys(), spec.head, complaints,
-            {"yarn", "shear", "bending", "tensile", "shear_frame", "bias_extension"});
+            {"yarn", "shear", "bending", "tensile", "shear_frame", "bias_extension", "bending_law", "moment_curvature",
+             "cantilever", "peirce"});
   require_keys(root, "the fit file", fit_head_keys(), complaints);
   read_base(root, spec, complaints);
   read_yarns(root, spec, complaints);
@@ -255,13 +324,22 @@ FitSpec read_fit_text(const std::string& text, const std::string& name) {
     read_keys(*table, "[bending]", bending_keys(), spec.bending, complaints);
   if (const auto* table = table_at(root, "shear", "shear", complaints))
     read_keys(*table, "[shear]", shear_fit_keys(), spec.shear, complaints);
+  if (const auto* table = table_at(root, "bending_law", "bending_law", complaints))
+    read_keys(*table, "[bending_law]", bending_fit_keys(), spec.bending_law, complaints);
   spec.tensile = read_tests(root, "tensile", tensile_keys(), complaints);
   spec.shear_frame = read_tests(root, "shear_frame", shear_frame_keys(), complaints);
   spec.bias_extension = read_tests(root, "bias_extension", bias_extension_keys(), complaints);
+  spec.moment_curvature = read_tests(root, "moment_curvature", moment_curvature_keys(), complaints);
+  spec.cantilever = read_tests(root, "cantilever", cantilever_keys(), complaints);
+  spec.peirce = read_tests(root, "peirce", peirce_keys(), complaints);
   check_each(root, "tensile", spec.tensile, check_tensile, complaints);
   check_each(root, "shear_frame", spec.shear_frame, check_frame, complaints);
   check_each(root, "bias_extension", spec.bias_extension, check_bias, complaints);
+  check_each(root, "moment_curvature", spec.moment_curvature, check_moment_curvature, complaints);
+  check_each(root, "cantilever", spec.cantilever, check_cantilever, complaints);
+  check_each(root, "peirce", spec.peirce, check_peirce, complaints);
   check_names(root, spec, complaints);
+  check_bending(root, spec, complaints);
   check_sources(root, spec, complaints);
   complaints.throw_if_any();
   return spec;

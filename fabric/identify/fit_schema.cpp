@@ -112,7 +112,130 @@ Keys bias_only() {
   };
 }
 
+const auto direction_key = key<&TestSpec::direction>(
+    {.name = "direction", .doc = "the yarns along which the strips are bent: 'warp', 'weft', or 'both' alike"});
+const auto sense_key = key<&TestSpec::sense>(
+    {.name = "sense",
+     .doc =
+         "the side that is bent outwards, for the report, which compares both; the card's law is the same both ways"});
+const auto weight_key = key<&TestSpec::weight>({.name = "weight",
+                                                .unit = "N/m^2",
+                                                .limits = above(0, 1e4),
+                                                .doc = "of the fabric per area; auto: that of the card's yarns under "
+                                                       "9.80665 m/s^2"});
+
+std::vector<std::string> moment_units() {
+  auto names = unit_names(Quantity::moment_per_length);
+  for (const auto& name : unit_names(Quantity::moment)) names.push_back(name);
+  return names;
+}
+
+Keys moment_only() {
+  return {
+      key<&TestSpec::curvature_column>(
+          {.name = "curvature_column", .required = true, .doc = "curvature: a heading, or a column's number as text"}),
+      key<&TestSpec::curvature_unit>(
+          {.name = "curvature_unit", .allowed = unit_names(Quantity::curvature), .doc = "its unit"}),
+      key<&TestSpec::curvature_factor>({.name = "curvature_factor", .unit = "1", .doc = "times the column, e.g. -1"}),
+      key<&TestSpec::moment_column>({.name = "moment_column", .required = true, .doc = "moment"}),
+      key<&TestSpec::moment_unit>({.name = "moment_unit",
+                                   .allowed = moment_units(),
+                                   .doc = "its unit, per width of the specimen or, with `specimen_width`, of the whole "
+                                          "specimen"}),
+      key<&TestSpec::moment_factor>({.name = "moment_factor", .unit = "1", .doc = "times the column, e.g. -1"}),
+      key<&TestSpec::specimen_width>({.name = "specimen_width",
+                                      .unit = "mm",
+                                      .limits = above(0),
+                                      .doc = "by which moments of the whole specimen are divided; goes with a unit "
+                                             "that is not per width"}),
+      direction_key,
+      sense_key,
+  };
+}
+
+Keys cantilever_only() {
+  return {
+      key<&TestSpec::x_column>({.name = "x_column",
+                                .required = true,
+                                .doc = "digitised profile, rows along the strip: level distance from the clamp's edge; "
+                                       "a heading, or a column's number as text"}),
+      key<&TestSpec::x_unit>({.name = "x_unit", .allowed = unit_names(Quantity::length), .doc = "its unit"}),
+      key<&TestSpec::x_factor>({.name = "x_factor", .unit = "1", .doc = "times the column, e.g. mm per pixel"}),
+      key<&TestSpec::y_column>({.name = "y_column", .required = true, .doc = "height, upwards"}),
+      key<&TestSpec::y_unit>({.name = "y_unit", .allowed = unit_names(Quantity::length), .doc = "its unit"}),
+      key<&TestSpec::y_factor>(
+          {.name = "y_factor", .unit = "1", .doc = "times the column, e.g. -1 where heights count downwards"}),
+      key<&TestSpec::overhangs>({.name = "overhangs",
+                                 .unit = "mm",
+                                 .limits = above(0, greatest_length),
+                                 .doc = "free lengths, one for each of `files` or one for all; checked against the "
+                                        "profiles; when left out, the profiles' own lengths"}),
+      key<&TestSpec::clamp_margin>({.name = "clamp_margin",
+                                    .unit = "mm",
+                                    .limits = between(0, greatest_length),
+                                    .doc =
+                                        "of the strip beside the clamp that is left out, where it lifts or kinks; then "
+                                        "nothing is supposed of the clamp; auto: none, and the strip leaves the "
+                                        "clamp's edge level to a degree or so"}),
+      weight_key,
+      direction_key,
+      sense_key,
+  };
+}
+
+Keys peirce_only() {
+  return {
+      key<&TestSpec::name>({.name = "name", .required = true, .identifier = true, .doc = "of the test, in the report"}),
+      key<&TestSpec::bending_lengths>({.name = "bending_lengths",
+                                       .unit = "mm",
+                                       .limits = above(0, greatest_length),
+                                       .doc = "Peirce's bending length c of each specimen; rigidity = weight * c^3"}),
+      key<&TestSpec::overhangs>({.name = "overhangs",
+                                 .unit = "mm",
+                                 .limits = above(0, greatest_length),
+                                 .doc =
+                                     "instead: overhang of each specimen whose tip lies `angle` below the clamp; c = "
+                                     "overhang (cos(angle/2) / (8 tan(angle)))^(1/3), Peirce (1930)"}),
+      key<&TestSpec::angle>({.name = "angle",
+                             .unit = "deg",
+                             .limits = between(5, 75),
+                             .doc = "of the line from the clamp's edge to the tip, with `overhangs`"}),
+      key<&TestSpec::rigidities>(
+          {.name = "rigidities",
+           .unit = "N mm",
+           .limits = above(0),
+           .doc = "instead: flexural rigidity per width of each specimen; 1e5 mg cm are 1 N mm"}),
+      weight_key,
+      direction_key,
+      key<&TestSpec::trust_units>(
+          {.name = "trust_units", .doc = "true takes implausible magnitudes as they are instead of asking back"}),
+  };
+}
+
 }  // namespace
+
+const std::vector<Key<BendingFitSpec>>& bending_fit_keys() {
+  static const std::vector<Key<BendingFitSpec>> keys = {
+      key<&BendingFitSpec::from>({.name = "from",
+                                  .doc = "the tests that make the card's law of a direction; the others are reported "
+                                         "beside it; auto: the first of these that there is"}),
+      key<&BendingFitSpec::friction>(
+          {.name = "friction",
+           .doc = "friction that records to and fro tell goes into the card as `bending_friction`; false: the card has "
+                  "none, and the law is that of loading from flat, friction included"}),
+      key<&BendingFitSpec::pieces>({.name = "pieces",
+                                    .unit = "1",
+                                    .limits = between(2, 60),
+                                    .doc = "of the law, at most; as many are taken as the tests can tell apart, each "
+                                           "with a stiffness that is linear in the curvature"}),
+      key<&BendingFitSpec::greatest_curvature>(
+          {.name = "greatest_curvature",
+           .unit = "1/mm",
+           .limits = above(0, 10),
+           .doc = "that is fitted; auto: the greatest that two specimens reach, or the only one"}),
+  };
+  return keys;
+}
 
 const std::vector<Key<FitHead>>& fit_head_keys() {
   static const std::vector<Key<FitHead>> keys = {
@@ -176,11 +299,27 @@ const Keys& bias_extension_keys() {
   return keys;
 }
 
+const Keys& moment_curvature_keys() {
+  static const Keys keys = joined(file_keys(), moment_only(), {});
+  return keys;
+}
+const Keys& cantilever_keys() {
+  static const Keys keys = joined(file_keys(), cantilever_only(), {});
+  return keys;
+}
+const Keys& peirce_keys() {
+  static const Keys keys = peirce_only();
+  return keys;
+}
+
 std::vector<KeyInfo> fit_keys() {
   std::vector<KeyInfo> all;
-  for (const auto& keys : {describe_keys("", fit_head_keys()), describe_keys("shear", shear_fit_keys()),
-                           describe_keys("tensile", tensile_keys()), describe_keys("shear_frame", shear_frame_keys()),
-                           describe_keys("bias_extension", bias_extension_keys())})
+  for (const auto& keys :
+       {describe_keys("", fit_head_keys()), describe_keys("shear", shear_fit_keys()),
+        describe_keys("tensile", tensile_keys()), describe_keys("shear_frame", shear_frame_keys()),
+        describe_keys("bias_extension", bias_extension_keys()), describe_keys("bending_law", bending_fit_keys()),
+        describe_keys("moment_curvature", moment_curvature_keys()), describe_keys("cantilever", cantilever_keys()),
+        describe_keys("peirce", peirce_keys())})
     all.insert(all.end(), keys.begin(), keys.end());
   return all;
 }
@@ -197,6 +336,15 @@ std::string fit_reference_markdown() {
                  describe_keys("shear_frame", shear_frame_keys())) +
          section("`[[bias_extension]]`", "Bias-extension tests; as many tables as needed.",
                  describe_keys("bias_extension", bias_extension_keys())) +
+         section("`[bending_law]`", "How the moment-curvature law is made.",
+                 describe_keys("bending_law", bending_fit_keys())) +
+         section("`[[moment_curvature]]`",
+                 "Tables of moment against curvature (KES, rotating clamps); as many tables as needed.",
+                 describe_keys("moment_curvature", moment_curvature_keys())) +
+         section("`[[cantilever]]`", "Digitised shapes of strips that hang over an edge; as many tables as needed.",
+                 describe_keys("cantilever", cantilever_keys())) +
+         section("`[[peirce]]`", "Peirce's single numbers, one of the three lists; as many tables as needed.",
+                 describe_keys("peirce", peirce_keys())) +
          "\n### `[yarn]`, `[yarn.warp]`, `[yarn.weft]`, `[bending]`\n\nThe keys of a card (`docs/card.md`), each "
          "optional when the base card has it. `section` and the three keys of Eq. 11 replace each other, "
          "and so do `compression_modulus` and `compression`.\n";

@@ -13,5 +13,9 @@ namespace weaveform::identify {
 [[nodiscard]] const std::vector<Key<TestSpec>>& tensile_keys();
 [[nodiscard]] const std::vector<Key<TestSpec>>& shear_frame_keys();
 [[nodiscard]] const std::vector<Key<TestSpec>>& bias_extension_keys();
+[[nodiscard]] const std::vector<Key<BendingFitSpec>>& bending_fit_keys();
+[[nodiscard]] const std::vector<Key<TestSpec>>& moment_curvature_keys();
+[[nodiscard]] const std::vector<Key<TestSpec>>& cantilever_keys();
+[[nodiscard]] const std::vector<Key<TestSpec>>& peirce_keys();
 
 }  // namespace weaveform::identify

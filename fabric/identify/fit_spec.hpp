@@ -35,6 +35,14 @@ struct ShearFitSpec {
   double angle_step = 1.0;                          // deg; of the common grid
 };
 
+// [bending_law]: how the moment-curvature law is made from the tests of bending.
+struct BendingFitSpec {
+  BendingSource from = BendingSource::automatic;  // which kind of test makes the card's law; auto: the first there is
+  bool friction = true;                           // of records to and fro goes into the card
+  int pieces = 12;                                // of the law, at most
+  std::optional<double> greatest_curvature;       // 1/mm; that is fitted; none: what the tests reach
+};
+
 // One kind of test on one kind of specimen: its files, what their columns mean, and the specimen.
 struct TestSpec {
   std::string name;
@@ -78,7 +86,35 @@ struct TestSpec {
   // [[bias_extension]]
   std::optional<double> width;   // mm
   std::optional<double> length;  // mm
+
+  // [[moment_curvature]], [[cantilever]] and [[peirce]]
+  TestedDirection direction = TestedDirection::both;
+  BentSense sense = BentSense::both;
+  // [[moment_curvature]]
+  std::string curvature_column;
+  std::string curvature_unit = "1/m";
+  double curvature_factor = 1.0;
+  std::string moment_column;
+  std::string moment_unit = "N m/m";
+  double moment_factor = 1.0;
+  std::optional<double> specimen_width;  // mm; for moments of the whole specimen
+  // [[cantilever]]
+  std::string x_column, y_column;
+  std::string x_unit = "mm", y_unit = "mm";
+  double x_factor = 1.0, y_factor = 1.0;
+  std::vector<double> overhangs;       // mm; of each file; also of [[peirce]]
+  std::optional<double> clamp_margin;  // mm; along the strip from the clamp, not used
+  std::optional<double> weight;        // N/m^2; of the fabric; also of [[peirce]]
+  // [[peirce]]
+  std::vector<double> bending_lengths;  // mm
+  std::vector<double> rigidities;       // N mm
+  double angle = 41.5;                  // deg; of the chord below the horizontal at those overhangs
 };
+
+// Whether the strips bend along the yarns of a family, 0 warp and 1 weft.
+[[nodiscard]] inline bool bends_along(const TestSpec& test, std::size_t family) {
+  return test.direction == TestedDirection::both || (test.direction == TestedDirection::weft) == (family == 1);
+}
 
 // Whether the specimens stand for the yarns of a family, 0 warp and 1 weft.
 [[nodiscard]] inline bool stands_for(const TestSpec& test, std::size_t family) {
@@ -91,11 +127,13 @@ struct FitSpec {
   Card base;  // the base card, or one without laws
   bool has_base = false;
   std::array<YarnFile, 2> yarn;  // base completed by the file's [yarn], [yarn.warp], [yarn.weft]
-  BendingCard bending;           // base completed by the file's [bending]; no test here measures it
+  BendingCard bending;           // base completed by the file's [bending]
   ShearFitSpec shear;
-  std::vector<TestSpec> tensile, shear_frame, bias_extension;
+  BendingFitSpec bending_law;
+  std::vector<TestSpec> tensile, shear_frame, bias_extension, moment_curvature, cantilever, peirce;
   [[nodiscard]] double confidence() const { return head.confidence / 100.0; }
   [[nodiscard]] double thickness() const { return head.thickness.value_or(base.thickness); }  // mm
+  [[nodiscard]] double area_weight() const;  // N/mm^2; of the yarns, under standard gravity
 };
 
 // Reads and checks a fit file. Throws InputError with every complaint ("file:line:column: ...") or FileError.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "core/vector/angle.hpp"
@@ -94,14 +95,51 @@ std::string shear_text(const Identification& found) {
   return "\n[shear]\n" + write_keys(shear_keys(), shear);
 }
 
+void put_curve(const BendingFit& fit, bool with_friction, YarnFile& yarn) {
+  yarn.bending_out_of_plane = pieces_of(fit.curve, yarn.interval);
+  if (fit.friction && with_friction)
+    yarn.bending_friction = {legible(fit.friction->moment * yarn.interval), legible(fit.friction->rise)};
+}
+
+// Who of the two directions bends as what was measured. Curves are laws of the yarns, which every kind of element that
+// bends takes where the card gives no rigidity; a direction that was not measured keeps the rigidity it had.
+void put_bending(const Identification& found, CardParts& parts) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const auto fit_of = [&](std::size_t f) { return found.bending[f] ? &found.bends[*found.bending[f]] : nullptr; };
+  const std::array<const BendingFit*, 2> fits = {fit_of(0), fit_of(1)};
+  if (fits[0] == nullptr && fits[1] == nullptr) return;
+  const bool curves =
+      (fits[0] != nullptr && !fits[0]->is_constant()) || (fits[1] != nullptr && !fits[1]->is_constant());
+  const auto before = parts.bending.rigidity;
+  std::array<double, 2> rigidity = {0.0, 0.0};
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
+    YarnFile& yarn = parts.yarn[f];
+    const auto& own = yarn.bending_out_of_plane;
+    const double of_yarn = own.empty() ? 0.0 : TangentLaw(own).tangent(0.0) / yarn.interval;
+    const BendingFit* other = fits[1 - f];
+    rigidity[f] = legible(fits[f] != nullptr ? fits[f]->first_stiffness()
+                          : before           ? (*before)[f]
+                          : of_yarn > 0.0    ? of_yarn
+                                             : other->first_stiffness());
+    if (!curves) continue;
+    if (fits[f] != nullptr && !fits[f]->is_constant())
+      put_curve(*fits[f], found.spec.bending_law.friction, yarn);
+    else if (fits[f] != nullptr || before || own.empty())
+      yarn.bending_out_of_plane = {{0.0, endless, {legible(rigidity[f] * yarn.interval)}}};
+  }
+  parts.bending.rigidity = curves ? std::nullopt : std::optional(rigidity);
+}
+
 void make_card(Identification& found, const std::string& replaced, const std::string& file) {
   const FitHead& head = found.spec.head;
   std::string source = head.source;
   if (found.spec.has_base)
     source += fmt::format("{}parts not measured are those of {}", source.empty() ? "" : "; ", head.base);
   CardParts parts{{yarn_file(found, 0), yarn_file(found, 1)}, found.spec.bending};
+  put_bending(found, parts);
+  const bool bends = found.bending[0] || found.bending[1];
   if (!replaced.empty()) {
-    const auto said = carry_typed_parts(replaced, file, parts);
+    const auto said = carry_typed_parts(replaced, file, bends, parts);
     found.warnings.insert(found.warnings.end(), said.begin(), said.end());
     found.replaces_other = !said.empty();
   }
@@ -118,6 +156,29 @@ void make_card(Identification& found, const std::string& replaced, const std::st
     found.card_text += "\n[bending]\n" + write_keys(bending_keys(), parts.bending, Echo::given);
   // The card's own reader has the last word: ranges, Eq. 11, tangents that turn negative.
   found.card = read_card_text(found.card_text, "card.toml");
+}
+
+void assume_bending(Identification& found) {
+  if (found.bends.empty()) return;
+  const auto assume = [&](std::string sentence) { found.assumptions.push_back(std::move(sentence)); };
+  const Card& card = found.card;
+  for (std::size_t f = 0; f < yarn_families.size(); ++f)
+    if (!found.bending[f])
+      assume(fmt::format("no test of bending along the {}: its stiffness is {}", yarn_families[f],
+                         found.spec.bending.rigidity || !found.spec.yarn[f].bending_out_of_plane.empty()
+                             ? "that of the fit file or of the base card"
+                             : "the first of the other direction's"));
+  assume(card.yarn[0].bending_in_plane == card.yarn[0].bending_out_of_plane
+             ? "bending in the fabric's plane is not measured: that out of the plane"
+             : "bending in the fabric's plane is not measured: that of the fit file or of the base card");
+  assume(card.bending.twist
+             ? fmt::format("twist is not measured: {} N mm, of the fit file or of the base card", *card.bending.twist)
+             : std::string("twist is not measured and not given: rotation-free and shell cells need "
+                           "'twist' of [bending]"));
+  if (std::any_of(found.bends.begin(), found.bends.end(),
+                  [](const BendingFit& fit) { return fit.source == BendingSource::cantilever; }))
+    assume(
+        "hanging strips: the strip is inextensible and bears its own weight alone; the moment follows from its shape");
 }
 
 void state_assumptions(Identification& found) {
@@ -140,7 +201,8 @@ void state_assumptions(Identification& found) {
     if (!spec.yarn[f].compression_modulus && spec.yarn[f].compression.empty())
       assume(fmt::format("compression of the {} yarn is not measured: 1 % of the linear modulus", yarn_families[f]));
   }
-  if (found.card.bending != BendingCard{})
+  assume_bending(found);
+  if (found.card.bending != BendingCard{} && found.bends.empty())
     assume("no test of bending: [bending] is that of the fit file, of the base card or of the card that was replaced");
   if (found.shear() == nullptr) assume("no test of shear: the shear law is that of the base card " + spec.head.base);
   if (found.shear() != nullptr)
@@ -154,8 +216,29 @@ void state_assumptions(Identification& found) {
         "slip and of decrimping are taken for shear");
 }
 
+double first_rigidity(const Card& card, std::size_t f) {
+  if (card.bending.rigidity) return (*card.bending.rigidity)[f];
+  const TangentLaw& law = card.yarn[f].bending_out_of_plane;
+  return law.pieces().empty() ? 0.0 : law.tangent(0.0) / card.yarn[f].interval;
+}
+
+void compare_bending(Identification& found) {
+  constexpr double suspicious = 20.0;  // preforms are that much stiffer than their fabrics; units are wrong by more
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
+    const double before = first_rigidity(found.spec.base, f);
+    if (!found.bending[f] || !(before > 0.0)) continue;
+    const double ratio = found.bends[*found.bending[f]].first_stiffness() / before;
+    if (ratio > suspicious || ratio < 1.0 / suspicious)
+      found.warnings.push_back(
+          fmt::format("along the {} the first bending stiffness is {:.3g} times the base card's {:.3g} "
+                      "N mm; check units and weight",
+                      yarn_families[f], ratio, before));
+  }
+}
+
 void compare_with_base(Identification& found) {
   if (!found.spec.has_base) return;
+  compare_bending(found);
   for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     if (!found.yarn[f]) continue;
     const double before = found.spec.base.yarn[f].linear_modulus;
@@ -191,6 +274,10 @@ Identification identify(const FitSpec& spec, const std::string& replaced, const 
   if (!spec.bias_extension.empty()) found.bias = fit_bias_extensions(spec);
   warn("shear frame", found.frame);
   warn("bias extension", found.bias);
+  found.bends = fit_bending(spec);
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) found.bending[f] = bending_of(found.bends, spec, f);
+  for (const auto& fit : found.bends)
+    for (const auto& warning : fit.warnings) found.warnings.push_back(fmt::format("{}: {}", fit.name(), warning));
   make_card(found, replaced, file);
   compare_with_base(found);
   state_assumptions(found);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/chart/chart.hpp"
+#include "fabric/identify/bending_fit.hpp"
 #include "fabric/identify/fit_spec.hpp"
 #include "fabric/identify/shear_fit.hpp"
 #include "fabric/identify/tension_fit.hpp"
@@ -21,6 +22,8 @@ struct Identification {
   std::array<std::optional<std::size_t>, 2>
       yarn;  // which of them is the warp's and the weft's; none: kept from the base
   std::optional<ShearFit> frame, bias;
+  std::vector<BendingFit> bends;                      // one for each kind of test and direction
+  std::array<std::optional<std::size_t>, 2> bending;  // which of them makes the card's; none: kept from the base
   Card card;
   std::string card_text;                 // the card as a file, checked by reading it back
   std::vector<std::string> assumptions;  // what was not measured, in sentences
@@ -44,7 +47,8 @@ struct OutputFile {
   std::optional<Chart> chart = {};
 };
 
-// card.toml, report.md, report.json, and for each kind of test a table (.csv) and a chart (.svg) of data, fit and band.
+// card.toml, report.md, report.json, and for each kind of test a table (.csv) and, where it has a curve, a chart (.svg)
+// of data, fit and band.
 [[nodiscard]] std::vector<OutputFile> output_files(const Identification& found);
 
 // The report's first section: the parameters with their intervals, as Markdown.

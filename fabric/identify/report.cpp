@@ -70,6 +70,31 @@ std::string shear_rows(const Identification& found) {
   return text;
 }
 
+std::string bending_rows(const Identification& found) {
+  if (found.bends.empty()) return "";
+  std::string text;
+  for (std::size_t f = 0; f < yarn_families.size(); ++f) {
+    if (!found.bending[f]) {
+      text += fmt::format("| bending along the {} | kept | | |\n", yarn_families[f]);
+      continue;
+    }
+    const BendingFit& fit = found.bends[*found.bending[f]];
+    if (fit.is_constant()) {
+      text += fmt::format(
+          "| bending along the {}: rigidity | {:.4g} N mm | {:.4g} to {:.4g} | Peirce, specimens: {} |\n",
+          yarn_families[f], fit.rigidity, fit.rigidity_band[0], fit.rigidity_band[1], fit.rigidities.size());
+      continue;
+    }
+    text += fmt::format("| bending along the {}: first stiffness | {:.4g} N mm | | {}, specimens: {} |\n",
+                        yarn_families[f], fit.first_stiffness(), name_of(fit.source), fit.specimens.size());
+    const BendingPoint& end = fit.law.back();
+    text += fmt::format("| bending along the {}: moment at {:.4g} 1/mm | {:.4g} N | {:.4g} to {:.4g} | {} pieces |\n",
+                        yarn_families[f], end.curvature, end.moment, end.moment - end.half_band,
+                        end.moment + end.half_band, fit.curve.knot.size());
+  }
+  return text;
+}
+
 std::string yarn_section(const YarnFit& fit) {
   std::string text = fmt::format(
       "\n## {}: yarn tension\n\nStress is the force over the {} section of {:.4g} mm^2 at true strain. The elastic "
@@ -140,7 +165,45 @@ std::string report_markdown(const Identification& found) {
   for (const auto& fit : found.yarns) text += yarn_section(fit);
   if (found.frame) text += shear_section(*found.frame, "Shear frame", "MPa", found.shear_from_frame());
   if (found.bias) text += shear_section(*found.bias, "Bias extension", "N", !found.shear_from_frame());
-  return text + both_sources(found);
+  text += both_sources(found);
+  for (std::size_t k = 0; k < found.bends.size(); ++k)
+    text += bending_section(found.bends[k], found.spec, found.bending[0] == k || found.bending[1] == k);
+  return text;
+}
+
+Json bending_json(const BendingFit& fit, bool makes_card) {
+  Json json = {{"name", fit.name()},
+               {"source", name_of(fit.source)},
+               {"along_warp", fit.along[0]},
+               {"along_weft", fit.along[1]},
+               {"makes_card", makes_card},
+               {"first_stiffness_N_mm", fit.first_stiffness()},
+               {"degrees_of_freedom", fit.freedom}};
+  if (fit.is_constant()) {
+    json["rigidity_N_mm"] = fit.rigidity;
+    json["rigidity_interval_N_mm"] = fit.rigidity_band;
+    json["rigidities_N_mm"] = fit.rigidities;
+    return json;
+  }
+  json["greatest_curvature_1_per_mm"] = fit.law.back().curvature;
+  json["misfit_N"] = fit.misfit;
+  json["pieces"] = fit.curve.knot.size();
+  if (fit.friction) json["friction"] = {{"moment_N", fit.friction->moment}, {"rise_1_per_mm", fit.friction->rise}};
+  json["specimens"] = Json::array();
+  for (const auto& specimen : fit.specimens)
+    json["specimens"].push_back({{"name", specimen.name},
+                                 {"sense", name_of(specimen.sense)},
+                                 {"greatest_curvature_1_per_mm", specimen.reach},
+                                 {"first_stiffness_N_mm", specimen.first_stiffness},
+                                 {"notes", specimen.notes}});
+  json["law"] = Json::array();
+  for (const auto& at : fit.law)
+    json["law"].push_back({{"curvature_1_per_mm", at.curvature},
+                           {"moment_N", at.moment},
+                           {"tangent_N_mm", at.tangent},
+                           {"half_band_N", at.half_band},
+                           {"specimens", at.specimens}});
+  return json;
 }
 
 Json yarn_json(const YarnFit& fit) {
@@ -211,13 +274,15 @@ Json fit_json(const Identification& found) {
   if (found.shear() != nullptr) json["shear_from"] = found.shear_from_frame() ? "shear_frame" : "bias_extension";
   if (found.frame) json["shear_frame"] = shear_json(*found.frame, "MPa");
   if (found.bias) json["bias_extension"] = shear_json(*found.bias, "N");
+  for (std::size_t k = 0; k < found.bends.size(); ++k)
+    json["bending"].push_back(bending_json(found.bends[k], found.bending[0] == k || found.bending[1] == k));
   return json;
 }
 
 std::string summary_markdown(const Identification& found) {
   return fmt::format("| parameter | value | {:.4g} % interval | from |\n|---|---|---|---|\n",
                      found.spec.head.confidence) +
-         yarn_rows(found) + shear_rows(found);
+         yarn_rows(found) + shear_rows(found) + bending_rows(found);
 }
 
 std::vector<OutputFile> output_files(const Identification& found) {
@@ -238,6 +303,10 @@ std::vector<OutputFile> output_files(const Identification& found) {
     files.push_back(
         {.name = "bias_extension.svg", .chart = shear_chart(*found.bias, "shear law from bias extension", confidence)});
     files.push_back({.name = "bias_extension_load.svg", .chart = load_chart(*found.bias)});
+  }
+  for (const auto& fit : found.bends) {
+    files.push_back({.name = fit.name() + ".csv", .text = bending_csv(fit)});
+    if (!fit.is_constant()) files.push_back({.name = fit.name() + ".svg", .chart = bending_chart(fit, confidence)});
   }
   files.push_back({.name = "report.md", .text = report_markdown(found)});
   files.push_back({.name = "report.json", .text = json_text(fit_json(found))});

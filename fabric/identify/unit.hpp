@@ -8,9 +8,9 @@
 
 namespace weaveform::identify {
 
-enum class Quantity { length, force, angle, strain, stress, force_per_length };
+enum class Quantity { length, force, angle, strain, stress, force_per_length, curvature, moment, moment_per_length };
 
-// Value in the project's unit (mm, N, rad, 1, MPa, N/mm) = factor * value as written.
+// Value in the project's unit (mm, N, rad, 1, MPa, N/mm, 1/mm, N mm, N) = factor * value as written.
 struct Unit {
   std::string name;
   double factor = 1.0;
@@ -22,6 +22,7 @@ struct Unit {
 [[nodiscard]] double unit_factor(Quantity quantity, const std::string& name);
 
 // The unit of that quantity a heading names, as in "Load (kN)", "force [N]", "force_N" or "shear_force_N_per_mm".
+// Units that differ in their spelling alone have the same factor.
 [[nodiscard]] std::optional<std::string> unit_in(const std::string& heading, Quantity quantity);
 
 // For a question back to the user: units that would make the values plausible, e.g. " (kN or kgf would fit)"; "" when

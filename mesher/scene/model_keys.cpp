@@ -67,6 +67,11 @@ const std::vector<Key<ModelSpec>>& model_keys() {
                                          "constant bending stiffness per width of the cells along warp and weft, and "
                                          "twist, in place of the card's; needs a cell that bends. When left out: the "
                                          "fabric's rigidity less what beams bear of it"}),
+      key<&ModelSpec::bending_friction>({.name = "bending_friction",
+                                         .limits = between(0, 1e6),
+                                         .doc = "[moment, rise]: friction in bending of one yarn (N mm, and 1/mm), in "
+                                                "place of the card's, in both families; a moment of 0 switches it off. "
+                                                "Needs yarns or cells that bend"}),
       key<&ModelSpec::transverse_shear>({.name = "transverse_shear",
                                          .unit = "N/mm",
                                          .limits = above(0, 1e9),

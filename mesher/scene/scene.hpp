@@ -53,8 +53,9 @@ struct ModelSpec {
   SymmetryUse symmetry = SymmetryUse::automatic;
   std::optional<std::array<double, 2>>
       yarn_bending;  // N mm^2; of one yarn, in plane and out of plane; none: the card's
-  std::optional<std::array<double, 3>> cell_bending;  // N mm; warp, weft, twist; none: from the card (flexure.hpp)
-  Auto transverse_shear;                              // N/mm; of shell cells; none: the card's
+  std::optional<std::array<double, 3>> cell_bending;      // N mm; warp, weft, twist; none: from the card (flexure.hpp)
+  std::optional<std::array<double, 2>> bending_friction;  // N mm, 1/mm; of one yarn; none: the card's
+  Auto transverse_shear;                                  // N/mm; of shell cells; none: the card's
   bool operator==(const ModelSpec&) const = default;
 };
 
@@ -159,6 +160,7 @@ struct DrapeSpec {
 struct AnalysisSpec {
   Auto duration;             // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
   Auto loading_speed;        // mm/s; greatest speed of any grip; an alternative to duration
+  Auto inertia;              // 1; share of the loads that inertia may be: the duration is chosen by it, the run warns
   double step_factor = 0.9;  // fraction of the stable step
   StepBound step_bound = StepBound::reached;
   int bending_every = 1;    // steps from one evaluation of bending to the next

@@ -126,6 +126,8 @@ void leave_behind(const toml::table& table, PlySpec& ply) {
   if (model.yarn != YarnElement::beam && taken_over("yarn_bending")) model.yarn_bending.reset();
   if (!carries_compression(model) && taken_over("compression_modulus")) model.compression_modulus.reset();
   if (model.cell == CellElement::membrane && taken_over("cell_bending")) model.cell_bending.reset();
+  if (model.cell == CellElement::membrane && model.yarn != YarnElement::beam && taken_over("bending_friction"))
+    model.bending_friction.reset();
   if (model.cell != CellElement::shell && taken_over("transverse_shear")) model.transverse_shear.reset();
   if (model.yarn_law != YarnLaw::slack && taken_over("slack")) model.slack.reset();
 }

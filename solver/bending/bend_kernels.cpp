@@ -1,47 +1,10 @@
 #include "solver/bending/bend_kernels.hpp"
 
+#include "solver/bending/bend_geometry.hpp"
+#include "solver/bending/loose_bend.hpp"
+
 namespace weaveform::WEAVEFORM_SET {
 namespace {
-
-constexpr double least_square = 1e-30;  // mm^2; keeps an absent element's tangent finite
-
-struct Tangent {
-  double t[3];
-  double inverse_length;
-};
-
-[[gnu::always_inline]] inline Tangent tangent(double dx, double dy, double dz) {
-  const double square = dx * dx + dy * dy + dz * dz;
-  const double inverse = 1.0 / std::sqrt(square > least_square ? square : least_square);
-  return {{dx * inverse, dy * inverse, dz * inverse}, inverse};
-}
-
-struct Normal {
-  double n[3];
-  double inverse_length;
-};
-
-[[gnu::always_inline]] inline Normal normal(const double (&d1)[3], const double (&d2)[3]) {
-  const double x = d1[1] * d2[2] - d1[2] * d2[1], y = d1[2] * d2[0] - d1[0] * d2[2], z = d1[0] * d2[1] - d1[1] * d2[0];
-  const double square = x * x + y * y + z * z;
-  const double inverse = 1.0 / std::sqrt(square > least_square ? square : least_square);
-  return {{x * inverse, y * inverse, z * inverse}, inverse};
-}
-
-// With h = dE/dn and N = d1 x d2: dE = w.(dd1 x d2 + d1 x dd2), w = (h - (h.n) n)/|N|; forces on d1 and d2.
-[[gnu::always_inline]] inline void normal_forces(const Normal& n, const double (&h)[3], const double (&d1)[3],
-                                                 const double (&d2)[3], double (&on1)[3], double (&on2)[3]) {
-  const double along = h[0] * n.n[0] + h[1] * n.n[1] + h[2] * n.n[2];
-  double w[3];
-#pragma GCC unroll 3
-  for (int k = 0; k < 3; ++k) w[k] = (h[k] - along * n.n[k]) * n.inverse_length;
-  on1[0] = w[1] * d2[2] - w[2] * d2[1];
-  on1[1] = w[2] * d2[0] - w[0] * d2[2];
-  on1[2] = w[0] * d2[1] - w[1] * d2[0];
-  on2[0] = d1[1] * w[2] - d1[2] * w[1];
-  on2[1] = d1[2] * w[0] - d1[0] * w[2];
-  on2[2] = d1[0] * w[1] - d1[1] * w[0];
-}
 
 template <bool isotropic, class Flexure>
 void bend_row(const void* warp_flexure, const void* weft_flexure, const BendRows& row_pointers, double inverse_warp,
@@ -61,17 +24,17 @@ void bend_row(const void* warp_flexure, const void* weft_flexure, const BendRows
       e2p[c] = rows.above[c][i] - x;
       e2m[c] = x - rows.below[c][i];
     }
-    const Tangent t1p = tangent(e1p[0], e1p[1], e1p[2]), t1m = tangent(e1m[0], e1m[1], e1m[2]);
-    const Tangent t2p = tangent(e2p[0], e2p[1], e2p[2]), t2m = tangent(e2m[0], e2m[1], e2m[2]);
+    const BendTangent t1p = bend_tangent(e1p[0], e1p[1], e1p[2]), t1m = bend_tangent(e1m[0], e1m[1], e1m[2]);
+    const BendTangent t2p = bend_tangent(e2p[0], e2p[1], e2p[2]), t2m = bend_tangent(e2m[0], e2m[1], e2m[2]);
     double d1[3], d2[3], h[3] = {0.0, 0.0, 0.0}, g1[3], g2[3];
-    Normal n{};
+    BendNormal n{};
     if constexpr (!isotropic) {
 #pragma GCC unroll 3
       for (int c = 0; c < 3; ++c) {
         d1[c] = e1p[c] + e1m[c];
         d2[c] = e2p[c] + e2m[c];
       }
-      n = normal(d1, d2);
+      n = bend_normal(d1, d2);
     }
     yarn_bend<isotropic>(warp, t1m.t, t1p.t, n.n, warp_yarns[i], inverse_warp, g1, h);
     yarn_bend<isotropic>(weft, t2m.t, t2p.t, n.n, weft_yarns[i], inverse_weft, g2, h);
@@ -93,38 +56,6 @@ void bend_row(const void* warp_flexure, const void* weft_flexure, const BendRows
   }
 }
 
-// Both sides of one family at a loose bend: tangents, and the vector that spans the fabric's plane.
-struct LooseYarn {
-  double before[3], after[3], span[3];
-  double scale_before, scale_after;  // own weight / length
-};
-
-[[gnu::always_inline]] inline LooseYarn loose_yarn(const LooseBendView& bends, const double* const (&x)[3], int f,
-                                                   int e) {
-  const int node = bends.node[e], before = bends.before[f][e], after = bends.after[f][e];
-  const double own_before = bends.own_before[f][e], own_after = bends.own_after[f][e];
-  const double spread = 1.0 / bends.inverse_spread[f][e];
-  double em[3], ep[3];
-#pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
-    em[c] = x[c][node] - x[c][before];
-    ep[c] = x[c][after] - x[c][node];
-  }
-  const Tangent tm = tangent(em[0], em[1], em[2]), tp = tangent(ep[0], ep[1], ep[2]);
-  LooseYarn yarn{};
-  yarn.scale_before = own_before * tm.inverse_length;
-  yarn.scale_after = own_after * tp.inverse_length;
-#pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
-    const double fixed_before = bends.fixed_before[f][c][e], fixed_after = bends.fixed_after[f][c][e];
-    yarn.before[c] = own_before * tm.t[c] + fixed_before;
-    yarn.after[c] = own_after * tp.t[c] + fixed_after;
-    // in the jaws the yarn goes on as far as outside (spread: half an element), so that the normal halves the turn
-    yarn.span[c] = em[c] + ep[c] + 2.0 * spread * (fixed_before + fixed_after);
-  }
-  return yarn;
-}
-
 template <bool isotropic, class Flexure>
 void loose_bends(const void* warp_flexure, const void* weft_flexure, const LooseBendView& view,
                  const double* const (&positions)[3], double* const (&force)[2][2][3]) {
@@ -139,8 +70,8 @@ void loose_bends(const void* warp_flexure, const void* weft_flexure, const Loose
   for (int e = 0; e < bends.count; ++e) {
     const LooseYarn y1 = loose_yarn(bends, x, 0, e), y2 = loose_yarn(bends, x, 1, e);
     double h[3] = {0.0, 0.0, 0.0}, g1[3], g2[3], on1[3] = {0.0, 0.0, 0.0}, on2[3] = {0.0, 0.0, 0.0};
-    Normal n{};
-    if constexpr (!isotropic) n = normal(y1.span, y2.span);
+    BendNormal n{};
+    if constexpr (!isotropic) n = bend_normal(y1.span, y2.span);
     yarn_bend<isotropic>(warp, y1.before, y1.after, n.n, bends.yarns[0][e], bends.inverse_spread[0][e], g1, h);
     yarn_bend<isotropic>(weft, y2.before, y2.after, n.n, bends.yarns[1][e], bends.inverse_spread[1][e], g2, h);
     if constexpr (!isotropic) normal_forces(n, h, y1.span, y2.span, on1, on2);
@@ -191,7 +122,7 @@ void twist_row(const BendRows& row_pointers, const double* stiffness, int begin,
       e[c] = x01 - x10;
       q[c] = (x00 - x10) - (x01 - x11);
     }
-    const Normal n = normal(d, e);
+    const BendNormal n = bend_normal(d, e);
     const double force = stiffness[i] * (q[0] * n.n[0] + q[1] * n.n[1] + q[2] * n.n[2]);
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c) g[c] = force * q[c];  // dE/dn

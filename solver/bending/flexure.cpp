@@ -93,6 +93,19 @@ void choose_cells(const Card& card, const ModelSpec& model, Flexure& flexure, Mi
         "set model.cell_bending = [warp, weft, twist] (N mm) above 0, or use cell = \"rotation-free\"");
 }
 
+void choose_friction(const Card& card, const ModelSpec& model, Flexure& flexure) {
+  const bool beams = model.yarn == YarnElement::beam;
+  for (int f = 0; f < 2; ++f) {
+    BendingFriction friction = card.yarn[f].bending_friction;
+    if (model.bending_friction) friction = {(*model.bending_friction)[0], (*model.bending_friction)[1]};
+    if (!(friction.moment > 0.0)) continue;
+    if (beams) flexure.friction_in_plane[f] = friction;
+    if (beams || flexure.rotation_free) flexure.friction_out_of_plane[f] = friction;
+    if (!beams && flexure.has_shell) flexure.friction_shell[f] = friction;
+    flexure.bends_yarns |= beams || flexure.rotation_free;
+  }
+}
+
 }  // namespace
 
 Flexure choose_flexure(const Card& card, const ModelSpec& model) {
@@ -103,6 +116,7 @@ Flexure choose_flexure(const Card& card, const ModelSpec& model) {
   if (model.yarn == YarnElement::beam) choose_beams(card, model, flexure, missing);
   if (flexure.rotation_free || flexure.has_shell) choose_cells(card, model, flexure, missing);
   if (!missing.empty()) throw InputError(missing);
+  choose_friction(card, model, flexure);
   for (int f = 0; f < 2; ++f)
     flexure.bends_yarns |= !flexure.in_plane[f].pieces().empty() || !flexure.out_of_plane[f].pieces().empty();
   return flexure;

@@ -13,15 +13,17 @@ namespace weaveform {
 struct Flexure {
   std::array<TangentLaw, 2> in_plane, out_of_plane;  // of beams, and out of plane also of rotation-free cells
   std::array<TangentLaw, 2> shell;                   // of shell cells, out of plane
-  double twist = 0.0;                                // N mm; of rotation-free and shell cells
-  double transverse_shear = 0.0;                     // N/mm; of shell cells
-  bool bends_yarns = false;                          // any law of in_plane and out_of_plane
+  // Friction beside those laws, per yarn; moments of 0: none. Where beams and shell cells bend, the beams have it.
+  std::array<BendingFriction, 2> friction_in_plane, friction_out_of_plane, friction_shell;
+  double twist = 0.0;             // N mm; of rotation-free and shell cells
+  double transverse_shear = 0.0;  // N/mm; of shell cells
+  bool bends_yarns = false;       // any law or friction of in_plane and out_of_plane
   bool rotation_free = false, has_shell = false;
 };
 
 // Beams take model.yarn_bending, or the card's two laws. Cells that bend take model.cell_bending, or the card's
 // rigidity less the initial stiffness of the beams, if any, or (with yarns that do not bend) the card's yarn law out of
-// plane. Throws InputError when a number is needed that neither the scene nor the card gives, and for a shell without
+// plane. Friction is model.bending_friction or the card's, once for every yarn whatever bends. Throws InputError when a number is needed that neither the scene nor the card gives, and for a shell without
 // bending stiffness along its yarns: its rotations would be free to alternate.
 [[nodiscard]] Flexure choose_flexure(const Card& card, const ModelSpec& model);
 

@@ -1,13 +1,16 @@
 #include "solver/bending/lattice_bending.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "core/error.hpp"
 #include "solver/bending/bend_kernels.hpp"
 #include "solver/bending/bending_energy.hpp"
+#include "solver/bending/friction_state.hpp"
 #include "solver/bending/moment_law.hpp"
 #include "solver/state/row_blocks.hpp"
 
@@ -150,6 +153,7 @@ struct LatticeBending::Parts {
   BendKernels kernels;
   std::vector<Bend> bends;
   std::vector<TwistCell> twist_cells;
+  std::unique_ptr<FrictionOfBends> friction;  // none: no yarn has any
   RowRuns bend_runs, twist_runs;
   std::vector<double> warp_yarns, weft_yarns, twist_stiffness;
   LooseBends loose;
@@ -171,6 +175,14 @@ struct LatticeBending::Parts {
     if (flexure.rotation_free && flexure.twist > 0.0) twist_cells = find_twist_cells(mesh);
     place_bends();
     place_twist();
+    const FrictionLaws laws = friction_laws(flexure);
+    if (laws.any() && every > 1)
+      throw InputError(fmt::format(
+          "analysis.bending_every = {}: impulses keep the energy of elastic bending, not the work of friction "
+          "(bending_friction); set analysis.bending_every = 1, or model.bending_friction = [0, 1] for none",
+          every));
+    if (laws.any())
+      friction = std::make_unique<FrictionOfBends>(laws, packed.lattice_nodes(), packed.rows, loose.size());
     for (int t = 0; t < team.threads(); ++t) ring.emplace_back(packed.stride);
   }
 
@@ -250,6 +262,10 @@ struct LatticeBending::Parts {
       kernels.row(shape.pointer(0), shape.pointer(1), rows, 1.0 / packed.spacing[0], 1.0 / packed.spacing[1],
                   warp_yarns.data() + offset, weft_yarns.data() + offset, bend_runs.run[r].begin, bend_runs.run[r].end,
                   out);
+    for (int r = bend_runs.first[j]; friction && r < bend_runs.first[j + 1]; ++r)
+      friction_loops().row_forces(friction->laws.yarn.data(), rows, warp_yarns.data() + offset,
+                                  weft_yarns.data() + offset, bend_runs.run[r].begin, bend_runs.run[r].end,
+                                  friction->rows.at(offset), out);
     TwistRowOutput twist{};
     copy(pointers(buffers.a), twist.a);
     copy(pointers(buffers.d), twist.d);
@@ -274,6 +290,42 @@ struct LatticeBending::Parts {
     }
   }
 
+  // Every row by the block it belongs to, before any forces: blocks compute the forces of the rows beside them as well.
+  void step_friction(int first, int last) {
+    for (int j = first; j < last; ++j) {
+      const BendRows rows = rows_around(j);
+      const auto offset = static_cast<std::size_t>(j) * packed.stride;
+      for (int r = bend_runs.first[j]; r < bend_runs.first[j + 1]; ++r) {
+        const Run run = bend_runs.run[r];
+        friction_loops().row_step(friction->laws.yarn.data(), rows, 1.0 / packed.spacing[0], 1.0 / packed.spacing[1],
+                                  warp_yarns.data() + offset, weft_yarns.data() + offset, run.begin, run.end,
+                                  !friction->begun, friction->rows.at(offset), friction->lost.data() + offset);
+        for (int i = run.begin; i < run.end; ++i) friction->lost_of_row[j] += friction->lost[offset + i] / every;
+      }
+    }
+  }
+
+  void step_loose_friction() {
+    const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
+    friction_loops().loose_step(friction->laws.yarn.data(), loose.view(), x, !friction->begun, friction->loose.at(0),
+                                friction->lost_loose.data());
+    for (const double lost : friction->lost_loose) friction->lost_by_loose += lost / every;
+    friction->begun = true;
+  }
+
+  // mJ; of the springs that friction is before it slides.
+  [[nodiscard]] double friction_energy() const {
+    if (!friction) return 0.0;
+    const auto of_rows = friction->laws.stored({&warp_yarns, &weft_yarns}, friction->rows);
+    const auto of_loose = friction->laws.stored({&loose.yarns[0], &loose.yarns[1]}, friction->loose);
+    double energy = 0.0;
+    for (int f = 0; f < 2; ++f) {
+      for (const double per_length : of_rows[f]) energy += packed.spacing[f] * per_length / every;
+      for (int e = 0; e < loose.size(); ++e) energy += of_loose[f][e] / loose.inverse_spread[f][e] / every;
+    }
+    return energy;
+  }
+
   void block_of_rows(State& target, int first, int last, Ring& rows) {
     if (first == last) return;
     compute_row(first - 1, rows[first - 1]);
@@ -292,6 +344,8 @@ struct LatticeBending::Parts {
       for (int side = 0; side < 2; ++side)
         for (int c = 0; c < 3; ++c) force[f][side][c] = loose.force[f][side][c].data();
     kernels.loose(shape.pointer(0), shape.pointer(1), loose.view(), x, force);
+    if (friction)
+      friction_loops().loose_forces(friction->laws.yarn.data(), loose.view(), x, friction->loose.at(0), force);
     for (int c = 0; c < 3; ++c) {
       double* f = target.force[c].data();
       for (int family = 0; family < 2; ++family)
@@ -315,6 +369,10 @@ LatticeBending::~LatticeBending() = default;
 void LatticeBending::add_forces(State& state, double /*step*/) {
   auto& p = *parts_;
   if (state.step % p.every != 0) return;
+  if (p.friction) {
+    p.team.run(static_cast<int>(p.ring.size()), [&](int b) { p.step_friction(p.block[b], p.block[b + 1]); });
+    p.step_loose_friction();
+  }
   p.team.run(static_cast<int>(p.ring.size()),
              [&](int b) { p.block_of_rows(state, p.block[b], p.block[b + 1], p.ring[b]); });
   p.add_loose(state);
@@ -324,8 +382,16 @@ StoredEnergy LatticeBending::stored_energy() const {
   const auto& p = *parts_;
   const auto position = mesh_positions(p.packed, p.state);
   const double energy = bending_energy(p.bends, p.flexure, position) +
-                        twist_energy(p.twist_cells, p.flexure.twist, p.mesh.spacing, position);
+                        twist_energy(p.twist_cells, p.flexure.twist, p.mesh.spacing, position) + p.friction_energy();
   return {.total = energy, .bending = energy};
+}
+
+EnergyFlow LatticeBending::energy_flow() const {
+  return {.lost = parts_->friction ? parts_->friction->lost_so_far() : 0.0};
+}
+
+void LatticeBending::archive(Archive& archive) {
+  if (parts_->friction) parts_->friction->archive(archive);
 }
 
 void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabric_frequency*/,
@@ -344,7 +410,9 @@ void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, doub
       const double greatest = fold / yarn.spread;
       const double stiffness =
           of_large_turns * yarn.yarns / yarn.spread *
-          std::max(p.flexure.in_plane[f].stiffest(0.0, greatest), p.flexure.out_of_plane[f].stiffest(0.0, greatest));
+          std::max(p.flexure.in_plane[f].stiffest(0.0, greatest) + stiffest_friction(p.flexure.friction_in_plane[f]),
+                   p.flexure.out_of_plane[f].stiffest(0.0, greatest) +
+                       stiffest_friction(p.flexure.friction_out_of_plane[f]));
       const double before = yarn.fixed_before ? 0.0 : 1.0 / distance(yarn.before, bend.node);
       const double after = yarn.fixed_after ? 0.0 : 1.0 / distance(bend.node, yarn.after);
       const double sum = 2.0 * (before + after);

@@ -8,6 +8,9 @@
 // Subcycling. So soft a force need not be computed at every step: every n-th step it acts as an impulse of n steps (the
 // impulse method of Tuckerman, Berne & Martyna 1992), which is stable as if it were n^2 times as stiff. Unlike a force
 // kept over n steps it makes no energy.
+//
+// Friction in bending (bend_friction.hpp) has a state at every crossing, which is brought up to the positions before the
+// forces are taken; without friction none of it is there.
 #pragma once
 
 #include <memory>
@@ -23,13 +26,16 @@ namespace weaveform {
 class LatticeBending : public Actor {
 public:
   // `held`: as for find_bends. `state` must outlive the term. `every`: steps (by state.step) from one impulse to the
-  // next. Throws InputError when a moment law has more pieces or a higher degree than the inner loop takes.
+  // next. Throws InputError when a moment law has more pieces or a higher degree than the inner loop takes, and
+  // for friction with every > 1.
   LatticeBending(const Mesh& mesh, const PackedMesh& packed, const Flexure& flexure, const std::vector<char>& held,
                  const State& state, Team& team, int every = 1);
   ~LatticeBending() override;
   [[nodiscard]] std::string name() const override { return "bending"; }
   void add_forces(State& state, double step) override;
   [[nodiscard]] StoredEnergy stored_energy() const override;
+  [[nodiscard]] EnergyFlow energy_flow() const override;  // what friction in bending lost
+  void archive(Archive& archive) override;
   void add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
                            std::vector<double>& bound) const override;
 

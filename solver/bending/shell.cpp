@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "solver/bending/friction_state.hpp"
 #include "solver/bending/moment_law.hpp"
 #include "solver/bending/shell_energy.hpp"
 #include "solver/bending/shell_kernels.hpp"
@@ -66,6 +67,24 @@ struct LooseEdges {
       out.shear[c] = result[6 + c].data();
     }
     return out;
+  }
+};
+
+// Friction at the edges of one family, in rows (by first node) and loose.
+struct EdgeFriction {
+  BendingFriction law;
+  std::vector<double> phi, curvature, lost, phi_loose, curvature_loose, lost_loose;
+  void resize(const BendingFriction& of_yarn, int lattice_nodes, int loose_edges) {
+    law = of_yarn;
+    if (!(law.moment > 0.0)) return;
+    for (auto* column : {&phi, &curvature, &lost}) column->assign(lattice_nodes, 0.0);
+    for (auto* column : {&phi_loose, &curvature_loose, &lost_loose}) column->assign(loose_edges, 0.0);
+  }
+  [[nodiscard]] bool acts() const { return law.moment > 0.0; }
+  void archive(Archive& archive) {
+    for (auto* column : {&phi, &phi_loose})
+      archive.numbers("a share of friction in bending", *column, {.least = -1.001, .greatest = 1.001});
+    for (auto* column : {&curvature, &curvature_loose}) archive.numbers("a curvature", *column);
   }
 };
 
@@ -137,6 +156,10 @@ struct Shell::Parts {
   std::vector<double> twist_stiffness;
   RowRuns twist_runs;
   std::array<LooseEdges, 2> loose;
+  std::array<EdgeFriction, 2> friction;
+  std::vector<double> friction_of_row;  // mJ; lost so far: one sum a row, so that no number of threads changes it
+  double friction_of_loose = 0.0;       // mJ; lost so far
+  bool friction_begun = false;          // curvatures have been taken note of
   std::vector<int> block;
   std::vector<std::array<ShellRowBuffers, 2>> scratch;
 
@@ -166,6 +189,8 @@ struct Shell::Parts {
       kernels[f] = edge_kernels(moment[f].shape);
     }
     place_edges();
+    for (int f = 0; f < 2; ++f) friction[f].resize(flexure.friction_shell[f], packed.lattice_nodes(), loose[f].size());
+    friction_of_row.assign(packed.rows, 0.0);
     place_twist();
     for (int t = 0; t < team.threads(); ++t)
       scratch.push_back({ShellRowBuffers(packed.stride), ShellRowBuffers(packed.stride)});
@@ -212,7 +237,8 @@ struct Shell::Parts {
   [[nodiscard]] std::vector<double> rotational_bound() const {
     std::vector<double> bound(mesh.node_count(), 0.0);
     for (const auto& edge : edges) {
-      const double stiffest = flexure.shell[edge.family].stiffest(0.0, 3.2 / edge.rest_length);
+      const double stiffest = flexure.shell[edge.family].stiffest(0.0, 3.2 / edge.rest_length) +
+                              stiffest_friction(flexure.friction_shell[edge.family]);
       for (const int n : edge.node) bound[n] += edge.shear_stiffness + 4.0 * edge.yarns * stiffest / edge.rest_length;
     }
     const double slope = 1.0 / mesh.spacing[0] + 1.0 / mesh.spacing[1];
@@ -258,6 +284,63 @@ struct Shell::Parts {
       kernels[f].row(moment[f].pointer(), rows, 1.0 / packed.spacing[f],
                      yarns[f].data() + static_cast<std::size_t>(j) * packed.stride, shear, runs.run[r].begin,
                      runs.run[r].end, buffers.output());
+    const auto offset = static_cast<std::size_t>(j) * packed.stride;
+    for (int r = runs.first[j]; friction[f].acts() && r < runs.first[j + 1]; ++r)
+      friction_loops().edge_row_forces(friction[f].law.moment, rows, yarns[f].data() + offset, runs.run[r].begin,
+                                       runs.run[r].end, friction[f].phi.data() + offset, buffers.output());
+  }
+
+  void step_friction_of_row(int f, int j, const RowRuns& runs, const ShellRows& rows) {
+    EdgeFriction& own = friction[f];
+    const auto offset = static_cast<std::size_t>(j) * packed.stride;
+    for (int r = runs.first[j]; r < runs.first[j + 1]; ++r) {
+      const Run run = runs.run[r];
+      friction_loops().edge_row_step(own.law.moment, own.law.rise, rows, 1.0 / packed.spacing[f],
+                                     yarns[f].data() + offset, run.begin, run.end, !friction_begun,
+                                     own.phi.data() + offset, own.curvature.data() + offset, own.lost.data() + offset);
+      for (int i = run.begin; i < run.end; ++i) friction_of_row[j] += own.lost[offset + i];
+    }
+  }
+
+  // Every row by the block it belongs to, before any forces: blocks compute the forces of the row below them as well.
+  void step_friction(int first, int last) {
+    for (int j = first; j < last; ++j) {
+      if (friction[0].acts()) step_friction_of_row(0, j, warp_runs, shell_rows(j, 1, j));
+      if (friction[1].acts() && j + 1 < packed.rows) step_friction_of_row(1, j, weft_runs, shell_rows(j, 0, j + 1));
+    }
+  }
+
+  void step_loose_friction() {
+    const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
+    const double* const d[3] = {director[0].data(), director[1].data(), director[2].data()};
+    for (int f = 0; f < 2; ++f) {
+      EdgeFriction& own = friction[f];
+      if (!own.acts()) continue;
+      friction_loops().loose_edge_step(own.law.moment, own.law.rise, loose[f].view(), x, d, !friction_begun,
+                                       own.phi_loose.data(), own.curvature_loose.data(), own.lost_loose.data());
+      for (const double lost : own.lost_loose) friction_of_loose += lost;
+    }
+    friction_begun = true;
+  }
+
+  [[nodiscard]] bool has_friction() const { return friction[0].acts() || friction[1].acts(); }
+  [[nodiscard]] double friction_lost() const {
+    double sum = friction_of_loose;
+    for (const double row : friction_of_row) sum += row;
+    return sum;
+  }
+  // mJ; of the springs that friction is before it slides: M rise phi^2/2 over the edge's length.
+  [[nodiscard]] double friction_energy() const {
+    double energy = 0.0;
+    for (int f = 0; f < 2; ++f) {
+      const EdgeFriction& own = friction[f];
+      const double half = 0.5 * own.law.moment * own.law.rise;
+      for (std::size_t i = 0; i < own.phi.size(); ++i)
+        energy += half * yarns[f][i] * packed.spacing[f] * own.phi[i] * own.phi[i];
+      for (std::size_t k = 0; k < own.phi_loose.size(); ++k)
+        energy += half * loose[f].yarns[k] / loose[f].inverse_rest[k] * own.phi_loose[k] * own.phi_loose[k];
+    }
+    return energy;
   }
 
   void compute_row(int j, ShellRowBuffers& buffers) {
@@ -315,6 +398,9 @@ struct Shell::Parts {
       auto& list = loose[f];
       const EdgeOutput out = list.output();
       kernels[f].loose(moment[f].pointer(), list.view(), x, d, out);
+      if (friction[f].acts())
+        friction_loops().loose_edge_forces(friction[f].law.moment, list.view(), x, d, friction[f].phi_loose.data(),
+                                           out);
       for (int c = 0; c < 3; ++c)
         for (int e = 0; e < list.size(); ++e) {
           const int a = list.node0[e], b = list.node1[e];
@@ -385,6 +471,10 @@ Shell::~Shell() = default;
 void Shell::add_forces(State& state, double step) {
   auto& p = *parts_;
   if (p.step_before > 0.0) p.drift(p.step_before);
+  if (p.has_friction()) {
+    p.team.run(static_cast<int>(p.scratch.size()), [&](int b) { p.step_friction(p.block[b], p.block[b + 1]); });
+    p.step_loose_friction();
+  }
   p.team.run(static_cast<int>(p.scratch.size()),
              [&](int b) { p.block_of_rows(state, p.block[b], p.block[b + 1], p.scratch[b]); });
   for (auto& component : p.force) std::fill(component.begin() + p.packed.lattice_nodes(), component.end(), 0.0);
@@ -396,7 +486,8 @@ StoredEnergy Shell::stored_energy() const {
   const auto& p = *parts_;
   const auto position = mesh_positions(p.packed, p.state);
   const auto normal = directors();
-  const double energy = shell_energy(p.edges, p.cells, p.flexure, p.mesh.spacing, position, normal);
+  const double energy =
+      shell_energy(p.edges, p.cells, p.flexure, p.mesh.spacing, position, normal) + p.friction_energy();
   return {.total = energy,
           .bending = energy,
           .hourglass =
@@ -404,7 +495,7 @@ StoredEnergy Shell::stored_energy() const {
 }
 
 EnergyFlow Shell::energy_flow() const {
-  return {.kinetic = parts_->kinetic, .lost = parts_->damping_work};
+  return {.kinetic = parts_->kinetic, .lost = parts_->damping_work + parts_->friction_lost()};
 }
 
 double Shell::inertia_scale() const {
@@ -422,7 +513,8 @@ void Shell::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabr
   for (const auto& edge : p.edges) {
     const auto &a = position[edge.node[0]], &b = position[edge.node[1]];
     const double square = std::pow(b[0] - a[0], 2) + std::pow(b[1] - a[1], 2) + std::pow(b[2] - a[2], 2);
-    const double stiffest = p.flexure.shell[edge.family].stiffest(0.0, 3.2 / edge.rest_length);
+    const double stiffest = p.flexure.shell[edge.family].stiffest(0.0, 3.2 / edge.rest_length) +
+                            stiffest_friction(p.flexure.friction_shell[edge.family]);
     // bending feels the edge's turn once its ends' directors differ, at most by 2
     const double stiffness = (4.0 * edge.shear_stiffness + 16.0 * edge.yarns * stiffest / edge.rest_length) / square;
     for (const int n : edge.node) bound[n] += stiffness;
@@ -437,6 +529,11 @@ void Shell::archive(Archive& archive) {
   archive.number("a shell's damping power", p.power_before);
   for (auto& component : p.director) archive.numbers("a director", component);
   for (auto& component : p.velocity) archive.numbers("a director's velocity", component);
+  if (!p.has_friction()) return;
+  archive.flag("whether friction in bending began", p.friction_begun);
+  for (auto& friction : p.friction) friction.archive(archive);
+  archive.numbers("a row's friction in bending", p.friction_of_row);
+  archive.number("the loose edges' friction", p.friction_of_loose);
 }
 
 std::vector<Vec3> Shell::directors() const {

@@ -52,6 +52,10 @@ const std::vector<Case> cases = {
     {"beam", pulled("[model]\nyarn = \"beam\"\n[analysis]\nbending_every = 7\n")},
     {"rotation_free", pulled("[model]\ncell = \"rotation-free\"\n[analysis]\ngravity = [0, 0, -9810]\n")},
     {"shell", pulled("[model]\ncell = \"shell\"\n[analysis]\ngravity = [0, 0, -9810]\n")},
+    {"beam_friction", pulled("[model]\nyarn = \"beam\"\nbending_friction = [2.0, 0.002]\n")},
+    {"shell_friction",
+     pulled("[model]\ncell = \"shell\"\nbending_friction = [2.0, 0.002]\n[analysis]\ngravity = [0, 0, "
+            "-9810]\n")},
     {"seatbelt", pulled("[model]\nyarn = \"seatbelt\"\npartner = \"compression\"\n")},
     {"reached", pulled("[analysis]\nstep_bound = \"reached\"\n")},
     {"mass_scaled", pulled("[analysis]\nmass_scale = 3.0\n")},

@@ -90,10 +90,12 @@ Cantilever yarn_cantilever(int elements, const TangentLaw& law) {
 }
 
 // `law` per width; the strip is `stretch` times as long as its cells are said to be.
-Cantilever strip_cantilever(Bender bender, int cells, const TangentLaw& law, double shear, double longer = 0.0) {
+Cantilever strip_cantilever(Bender bender, int cells, const TangentLaw& law, double shear, double longer = 0.0,
+                            double strip_length = length, int across = 0) {
   const Card card = load_card("twintex-pw");
   Scene scene;
-  const double spacing = length / cells, total = length + longer * spacing, width = 0.5 * length;
+  const double spacing = strip_length / cells, total = strip_length + longer * spacing;
+  const double width = across > 0 ? across * spacing : 0.5 * strip_length;
   scene.blank.size = {total, width};
   scene.blank.yarn_angle = 0.0;
   scene.blank.coarsening = {spacing / card.yarn[0].interval, spacing / card.yarn[0].interval};
@@ -403,6 +405,19 @@ Measured yielding_strip(Bender bender, int cells) {
   Rod rod{.length = c.length, .curvature = curvature};
   rod.weight = 2.5 * c.stiffness / std::pow(c.length, 3);
   return tip_error(c, solve_rod(rod, 1000), weight({0.0, 0.0, -rod.weight / c.weight}));
+}
+
+Measured strip_of_law(Bender bender, int cells, const TangentLaw& law, const std::function<double(double)>& curvature,
+                      double overhang, double weight_of_area) {
+  Cantilever c = strip_cantilever(bender, cells, law, stiff_shear, 0.0, overhang, 4);
+  const double width = c.stiffness / law.tangent(0.0);
+  const Rod rod{.length = overhang,
+                .curvature = [&](double moment) { return curvature(moment / width); },
+                .weight = weight_of_area * width};
+  const auto shape = solve_rod(rod, 2000);
+  start_at(c, shape);
+  const double residual = c.fabric->relax(weight({0.0, 0.0, -rod.weight / c.weight}));
+  return relative(-c.fabric->position(c.tip)[2], shape.drop.back(), residual);
 }
 
 Measured cut_strip(Bender bender, int cells) {

@@ -2,9 +2,11 @@
 // require the orders and for the program that draws the charts (bench/element_study.cpp).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "fabric/law/tangent_law.hpp"
 #include "mesher/mesh/mesh.hpp"
 
 namespace weaveform::test {
@@ -43,6 +45,11 @@ Measured yielding_strip(Bender bender, int cells);       // heavy, with a law th
 
 // The heavy strip with a length that is no whole number of cells: `cells` and 0.4 of one more.
 Measured cut_strip(Bender bender, int cells);
+
+// A strip of any law (per width), overhang (mm) and weight (N/mm^2), four cells wide: drop of its tip
+// against the rod whose curvature of a moment per width is `curvature`.
+Measured strip_of_law(Bender bender, int cells, const TangentLaw& law, const std::function<double(double)>& curvature,
+                      double overhang, double weight);
 
 // w L^3/B at which a heavy rod's chord is inclined by 41.5 deg, found by bisection.
 [[nodiscard]] double peirce_load();

@@ -3,8 +3,10 @@ set(VERIFY_SOURCES
   verify/drape_net_test.cpp
   verify/drape_start_test.cpp
   verify/drape_triangles_test.cpp
+  verify/fit_bending_test.cpp
   verify/fit_coverage_test.cpp
   verify/fit_paper_tables_test.cpp
+  verify/measured_strip_test.cpp
   verify/fit_traps_test.cpp
   verify/bias_extension_mesh_test.cpp
   verify/bias_extension_test.cpp

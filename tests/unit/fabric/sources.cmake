@@ -1,5 +1,6 @@
 set(UNIT_FABRIC_SOURCES
   unit/fabric/card/card_test.cpp
+  unit/fabric/identify/identify_bending_test.cpp
   unit/fabric/identify/identify_fit_file_test.cpp
   unit/fabric/identify/identify_raw_table_test.cpp
   unit/fabric/identify/identify_shear_test.cpp

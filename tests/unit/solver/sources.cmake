@@ -1,6 +1,7 @@
 set(UNIT_SOLVER_SOURCES
   unit/solver/analysis/steered_test.cpp
   unit/solver/analysis/world_test.cpp
+  unit/solver/bending/bend_friction_test.cpp
   unit/solver/bending/bending_test.cpp
   unit/solver/bending/shell_test.cpp
   unit/solver/constraint/mirror_planes_test.cpp
@@ -12,12 +13,15 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/contact/tool_motion_test.cpp
   unit/solver/element/incremental_cell_test.cpp
   unit/solver/element/yarn_law_test.cpp
+  unit/solver/lattice/bands_test.cpp
   unit/solver/lattice/fabric_forces_test.cpp
+  unit/solver/lattice/lanes_test.cpp
   unit/solver/ply/reach_test.cpp
   unit/solver/ply/torn_yarns_test.cpp
   unit/solver/result/fields_test.cpp
   unit/solver/result/frames_test.cpp
   unit/solver/result/history_test.cpp
   unit/solver/state/contact_state_test.cpp
+  unit/solver/state/pace_test.cpp
   unit/solver/state/team_test.cpp
 )

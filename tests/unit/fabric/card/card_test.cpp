@@ -128,6 +128,20 @@ TEST(Card, RoundTripKeepsAwkwardNumbersAndTheStart) {
   EXPECT_EQ(read_card_text(card_to_toml(card), "c.toml"), card) << card_to_toml(card);
 }
 
+TEST(Card, FrictionInBendingIsReadAndWritten) {
+  const Card card = read_card_text(
+      card_text("[shear]",
+                "bending_friction = { moment = 0.04, rise = 0.002 }\n[yarn.weft]\nbending_friction = { moment = "
+                "0.1, rise = 0.003 }\n[shear]"),
+      "c.toml");
+  EXPECT_EQ(card.yarn[0].bending_friction, (BendingFriction{0.04, 0.002}));
+  EXPECT_EQ(card.yarn[1].bending_friction, (BendingFriction{0.1, 0.003}));
+  EXPECT_EQ(read_card_text(card_to_toml(card), "again"), card);
+  const auto said = complaints_of(card_text("[shear]", "bending_friction = { moment = 0.04 }\n[shear]"));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("'rise'"), std::string::npos) << said[0];
+}
+
 TEST(Card, TablesOfAFamilyWinOverTheCommonOne) {
   const Card card = read_card_text(card_text("[shear]", "[yarn.weft]\nsection = 3.5\n[shear]"), "c.toml");
   EXPECT_EQ(card.yarn[0].section, 1.25);

@@ -56,6 +56,7 @@ Scene unusual_scene() {
                  .symmetry = SymmetryUse::half,
                  .yarn_bending = {{3.5, 1.0 / 7}},
                  .cell_bending = {{1, 2, 0.3}},
+                 .bending_friction = {{0.04, 1.0 / 900}},
                  .transverse_shear = 0.7};
   scene.grip = {{.name = "held",
                  .edge = BlankEdge::left,
@@ -71,6 +72,7 @@ Scene unusual_scene() {
                  .free = {}}};
   scene.analysis = {.duration = 0.1 + 0.2,  // 0.30000000000000004: needs all 17 digits
                     .loading_speed = {},
+                    .inertia = 0.03,
                     .step_factor = 0.5,
                     .step_bound = StepBound::reached,
                     .bending_every = 3,

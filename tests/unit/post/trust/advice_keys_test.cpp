@@ -51,9 +51,14 @@ TEST(Advice, OfFitNamesKeysThatExist) {
   add_names(identify::tensile_keys(), keys);
   add_names(identify::shear_frame_keys(), keys);
   add_names(identify::bias_extension_keys(), keys);
+  add_names(identify::bending_fit_keys(), keys);
+  add_names(identify::moment_curvature_keys(), keys);
+  add_names(identify::cantilever_keys(), keys);
+  add_names(identify::peirce_keys(), keys);
   for (const auto& info : card_keys()) keys.insert(info.name);
-  const std::set<std::string> tables = {"shear_frame", "bias_extension"};
-  const std::vector<std::string> channels = {"displacement", "force", "strain", "stress", "angle", "normalised_force"};
+  const std::set<std::string> tables = {"shear_frame", "bias_extension", "moment_curvature"};
+  const std::vector<std::string> channels = {"displacement",     "force",     "strain", "stress", "angle",
+                                             "normalised_force", "curvature", "moment", "x",      "y"};
   const std::string literals = literals_of({"fabric/identify"});
   int found = 0;
   const auto expect_key = [&](const std::string& name) {
