@@ -218,47 +218,7 @@ bool PlySurface::follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, 
     place = next;
     if (size < there) return true;
   }
-  return true;
-}
-
-SurfacePlace PlySurface::nearest_middle(const Vec3& x, const Components& position) const {
-  SurfacePlace nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (int facet = 0; facet < facets(); ++facet) {
-    if (!exists(facet)) continue;
-    const double middle = is_triangle(facet) ? 1.0 / 3.0 : 0.5;
-    const SurfacePlace place = {facet, middle, middle};
-    const Vec3 way = minus(point(place, position), x);
-    if (const double square = dot(way, way); square < least) {
-      least = square;
-      nearest = place;
-    }
-  }
-  return nearest;
-}
-
-std::vector<NodeArms> node_arms(const Mesh& mesh, const PackedMesh& packed) {
-  std::vector<NodeArms> arms(packed.nodes);
-  for (int n = 0; n < packed.nodes; ++n) arms[n].arm.fill(n);
-  for (int e = 0; e < mesh.yarn_count(); ++e) {
-    const int a = packed.packed_of_mesh[mesh.yarns.node[e][0]], b = packed.packed_of_mesh[mesh.yarns.node[e][1]];
-    const std::size_t first = mesh.yarns.family[e] == Family::warp ? 0 : 2;
-    arms[a].arm[first + 1] = b;
-    arms[b].arm[first] = a;
-  }
-  // a yarn end lies between nothing across its yarn: it looks at its crossing's neighbours
-  const auto given = arms;
-  for (const int n : packed.packed_of_mesh)
-    for (const std::size_t first : {std::size_t{0}, std::size_t{2}}) {
-      if (given[n].arm[first] != n || given[n].arm[first + 1] != n) continue;
-      for (const int beside : given[n].arm)
-        if (beside != n && (given[beside].arm[first] != beside || given[beside].arm[first + 1] != beside)) {
-          arms[n].arm[first] = given[beside].arm[first];
-          arms[n].arm[first + 1] = given[beside].arm[first + 1];
-          break;
-        }
-    }
-  return arms;
+  return false;  // where it has come to means nothing
 }
 
 }  // namespace weaveform
