@@ -305,6 +305,33 @@ TEST_F(StackChain, AReportShowsSlipAndHidesPlies) {
     EXPECT_TRUE(says(page, what)) << what;
 }
 
+// In a quarter plies thicken and press as in the whole.
+TEST_F(StackChain, ShearedThicknessOfAQuarterIsThatOfTheWhole) {
+  const std::string sheared =
+      " --set blank.coarsening=5 --set model.contact_thickness=sheared --set tools.punch.travel=12 --set "
+      "analysis.duration=0.05 --set output.frames=1 --set output.history=10 --quiet";
+  run("weaveform run " + two_ply_hemisphere + " --output quarter" + sheared);
+  run("weaveform run " + two_ply_hemisphere + " --output whole --set model.symmetry=none" + sheared);
+  EXPECT_EQ(summary("quarter").at("symmetry"), "quarter");
+  const auto one = read_frame_positions(folder_.path() / "quarter/frames/frame_0001.vtu"),
+             other = read_frame_positions(folder_.path() / "whole/frames/frame_0001.vtu");
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t n = 0; n < one.size(); ++n)
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(one[n][c], other[n][c], 0.1) << n;
+  EXPECT_LT(summary("whole").at("energy_error").get<double>(), 0.01);
+}
+
+TEST_F(StackChain, ThicknessAfterShearIsRefusedWhereItMeansNothing) {
+  const std::string plate = "[tools.plate]\nshape = \"plane\"\n";
+  EXPECT_TRUE(says(refused("[model]\ncontact_thickness = \"sheared\"\n" + stack_pull),
+                   "wrong.toml:2:21: 'contact_thickness' is of no use here: nothing touches the fabric"));
+  EXPECT_TRUE(says(refused("[model]\ncontact_thickness = \"sheared\"\nthickness = \"constant\"\n" + plate + stack_pull),
+                   "it needs thickness = \"constant-volume\""));
+  EXPECT_TRUE(
+      says(refused("[model]\ncontact_thickness = \"sheared\"\n[drape]\ntool = \"plate\"\n" + plate + stack_pull),
+           "a blank that starts draped lies its card's thickness off its tool"));
+}
+
 // Plies that do not touch know nothing of each other: each has the bits of its run alone, and their grip feels both.
 TEST_F(StackChain, PliesApartAreTheirRunsAloneAndAGripFeelsAllItHolds) {
   write_text(stack_blank + stack_pull, folder_.path() / "alone.toml");
