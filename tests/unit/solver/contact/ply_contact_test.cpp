@@ -142,6 +142,23 @@ TEST(PlyContact, StickingHoldsAndSlidingRubsOverManyCells) {
   }
 }
 
+// A turned ply's rows begin ever further out, with no node beside them to start a search from, and hundreds of cells away
+// from where the row before has ended. A foot that is not where it should be takes the slope there for that here.
+TEST(PlyContact, EveryFootOfALargeTurnedPlyIsFound) {
+  const double side = 300 * 4.92;
+  Stack stack({piece({side, side}, 1.0, 45.0, 0.0), piece({side, side}, 1.0, 45.0, 2.0 * thickness())});
+  for (int n = 0; n < 2; ++n) {
+    for (std::size_t k = 0; k < 2; ++k)
+      stack.place(k, [&](const Vec3& x) -> Vec3 {
+        const double phase = 1.0 + 2.0 * static_cast<double>(k);
+        return {x[0] + 0.6 * std::sin(0.05 * x[1] + phase), x[1] + 0.6 * std::sin(0.04 * x[0] + phase),
+                x[2] + 0.3 * std::sin(0.03 * (x[0] + x[1]))};
+      });
+    ASSERT_NO_THROW(stack.touch());
+    EXPECT_EQ(stack.contact().pairs()[0].force, 0.0) << "they lie a ply apart";
+  }
+}
+
 TEST(PlyContact, GoingThroughAnotherPlyStopsTheRun) {
   Stack stack({piece({60.0, 40.0}, 1.0, 0.0, 0.0), piece({60.0, 40.0}, 1.0, 30.0, thickness())});
   stack.place(1, [&](const Vec3& x) -> Vec3 { return {x[0], x[1], x[2] - 1.1 * thickness()}; });
