@@ -1,5 +1,7 @@
 #include "solver/contact/ply_arms.hpp"
 
+#include <utility>
+
 namespace weaveform {
 namespace {
 
@@ -36,8 +38,40 @@ std::vector<NodeArms> node_arms(const Mesh& mesh, const PackedMesh& packed) {
   return arms;
 }
 
-PlyArms::PlyArms(const Mesh& mesh, const PackedMesh& packed, const Components& start)
-    : arms_(node_arms(mesh, packed)), flat_(packed.nodes) {
+std::vector<NodeArms> whole_arms(const Mesh& mesh, const PackedMesh& packed) {
+  constexpr double least_length = 0.75;  // of a cell
+  std::vector<NodeArms> arms(packed.nodes);
+  for (int n = 0; n < packed.nodes; ++n) arms[n].arm.fill(n);
+  const auto is_crossing = [&](int node) { return mesh.nodes.crossing[node][0] >= 0; };
+  for (int e = 0; e < mesh.yarn_count(); ++e) {
+    const auto [first, second] = mesh.yarns.node[e];
+    const std::size_t along = mesh.yarns.family[e] == Family::warp ? 0 : 1;
+    if (!is_crossing(first) || !is_crossing(second) || mesh.yarns.rest_length[e] < least_length * mesh.spacing[along])
+      continue;
+    const int a = packed.packed_of_mesh[first], b = packed.packed_of_mesh[second];
+    arms[a].arm[2 * along + 1] = b;
+    arms[b].arm[2 * along] = a;
+  }
+  const auto given = arms;
+  const auto has = [&](int node, std::size_t k) {
+    return given[node].arm[k] != node || given[node].arm[k + 1] != node;
+  };
+  for (int e = 0; e < mesh.yarn_count(); ++e)
+    for (const auto& [at, beside] : {std::pair{0, 1}, std::pair{1, 0}}) {
+      const int node = packed.packed_of_mesh[mesh.yarns.node[e][at]],
+                other = packed.packed_of_mesh[mesh.yarns.node[e][beside]];
+      for (const std::size_t k : {0U, 2U}) {
+        const bool lacks = arms[node].arm[k] == node && arms[node].arm[k + 1] == node;
+        if (!lacks || !has(other, k)) continue;
+        arms[node].arm[k] = given[other].arm[k];
+        arms[node].arm[k + 1] = given[other].arm[k + 1];
+      }
+    }
+  return arms;
+}
+
+PlyArms::PlyArms(const Mesh& mesh, const PackedMesh& packed, const Components& start, std::vector<NodeArms> arms)
+    : arms_(std::move(arms)), flat_(packed.nodes) {
   find_planes(mesh, packed, start);
 }
 

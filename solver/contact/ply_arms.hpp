@@ -19,10 +19,14 @@ struct NodeArms {
 };
 // Of each packed node; nodes that do not exist have arms of no length.
 [[nodiscard]] std::vector<NodeArms> node_arms(const Mesh& mesh, const PackedMesh& packed);
+// The same along whole yarn elements only, from crossing to crossing. A node that lacks those of a family takes its
+// neighbour's, a yarn end all of its crossing's: so that the angle between a and b is one of cells, not of the short ends
+// that an outline leaves.
+[[nodiscard]] std::vector<NodeArms> whole_arms(const Mesh& mesh, const PackedMesh& packed);
 
 class PlyArms {
 public:
-  PlyArms(const Mesh& mesh, const PackedMesh& packed, const Components& start);
+  PlyArms(const Mesh& mesh, const PackedMesh& packed, const Components& start, std::vector<NodeArms> arms);
 
   [[nodiscard]] const NodeArms& of(int packed) const { return arms_[packed]; }
   [[nodiscard]] bool in_a_plane(int packed) const { return !flat_[packed].empty(); }  // that mirrors the ply

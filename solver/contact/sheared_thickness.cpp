@@ -28,7 +28,7 @@ double thickening(double sine) {
 }
 
 ShearedThickness::ShearedThickness(const Mesh& mesh, const PackedMesh& packed, const State& start)
-    : arms_(mesh, packed, start.position),
+    : arms_(mesh, packed, start.position, whole_arms(mesh, packed)),
       nodes_(packed.nodes),
       swell_(static_cast<std::size_t>(packed.nodes) + looked_at_together, 1.0),
       load_(swell_.size(), 0.0) {

@@ -1,7 +1,7 @@
 // How thick a ply is where others and tools touch it, once it is sheared: at constant volume
 //   t = t0 w,   w = 1/cos(gamma),   sin(gamma) = a.b/(|a| |b|)
-// with a and b between the node's neighbours along warp and weft (ply_arms.hpp). The angle is so a mean over the cells
-// around the node; yarns that stretch do not thin the ply. From 75 degrees on, far beyond what fabrics lock at, w stays
+// with a and b between the node's neighbours along warp and weft (ply_arms.hpp). The angle is so a mean over the whole
+// cells around the node; yarns that stretch do not thin the ply. From 75 degrees on, far beyond what fabrics lock at, w stays
 // 3.86.
 //
 // Thickness is a function of positions, and what is stored in contact one of thickness, so that contact's forces have a
