@@ -235,14 +235,20 @@ void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int end,
   if (swollen_) loops.add(end - first, forces.load[0] + first, own_.load().data() + node + first);
 }
 
-// mm; how far a block is from touching, of nodes beside the ply how far they are from its edge.
+// mm; how far a block is from touching, of nodes beside the ply how far they are from its edge, along the ply or over it.
 double PlyPassState::clearance(int number, double depth) const {
   double room = depth > no_depth ? safe_part * (touch_ - depth) : std::numeric_limits<double>::max();
   if (off_[number] == 0 || room <= 0.0) return std::max(room, 0.0);
   const PlyBlock& block = own_.blocks()[number];
   for (int l = block.at; l < block.at + block.count && room > 0.0; ++l) {
     if (stiffness_[l] > 0.0 || facet_[l] < 0) continue;
-    room = std::min(room, safe_part * other_.touching().spacing * other_.surface().away(place_of(l)));
+    const SurfacePlace place = place_of(l), edge = other_.surface().held_inside(place);
+    if (other_.surface().outside(place) <= cell_border) return 0.0;  // in a fold
+    const double beside = other_.touching().spacing * other_.surface().away(place),
+                 over = plain_length(minus(own_.position(own_.node_of(l)),
+                                           other_.surface().point(edge, other_.state().position))) -
+                        reach_at(l, edge) + touch_;
+    room = std::min(room, safe_part * std::max(beside, over));
   }
   return std::max(room, 0.0);
 }

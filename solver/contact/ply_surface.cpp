@@ -125,12 +125,15 @@ double PlySurface::outside(const SurfacePlace& place) const {
   return outside_of(is_triangle(place.facet), place.xi, place.eta);
 }
 
-// To the point that clamping gives: not quite the nearest of a triangle.
-double PlySurface::away(const SurfacePlace& place) const {
+SurfacePlace PlySurface::held_inside(const SurfacePlace& place) const {
   SurfacePlace held = place;
   held.xi = std::clamp(held.xi, 0.0, 1.0);
   held.eta = std::clamp(held.eta, 0.0, is_triangle(place.facet) ? 1.0 - held.xi : 1.0);
-  return length(minus(material(held), material(place)));
+  return held;
+}
+
+double PlySurface::away(const SurfacePlace& place) const {
+  return plain_length(minus(material(held_inside(place)), material(place)));
 }
 
 SurfacePlace PlySurface::find(const Vec2& material) const {
@@ -200,7 +203,7 @@ bool PlySurface::follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, 
     }
     const Vec3 a = cross(s2, normal), b = cross(normal, s1);
     const double determinant = dot(s1, a);
-    if (!(determinant > 0.02 * length(s1) * length(s2) * length(normal))) return false;
+    if (!(determinant > 0.02 * plain_length(s1) * plain_length(s2) * plain_length(normal))) return false;
     double dxi = dot(r, a) / determinant, deta = dot(r, b) / determinant;
     const double size = std::max(std::abs(dxi), std::abs(deta));
     if (size > longest) {

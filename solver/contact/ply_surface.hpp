@@ -40,7 +40,9 @@ public:
 
   // How far the place is out of its facet, in the facet's coordinates; 0 or less inside.
   [[nodiscard]] double outside(const SurfacePlace& place) const;
-  // cells; from the place to its facet, 0 inside.
+  // The place itself inside its facet, else one on its edge: of a triangle not quite the nearest.
+  [[nodiscard]] SurfacePlace held_inside(const SurfacePlace& place) const;
+  // cells; from the place to that one, 0 inside.
   [[nodiscard]] double away(const SurfacePlace& place) const;
   // The facet at these coordinates; nowhere where the ply has none.
   [[nodiscard]] SurfacePlace find(const Vec2& material) const;

@@ -236,8 +236,9 @@ TEST(PlyContact, MeasuredCompactionIsThePressure) {
 TEST(PlyContact, AnyNumberOfThreadsGivesTheSameBits) {
   std::vector<std::vector<double>> all;
   for (const int threads : {1, 2, 3}) {
-    Stack stack({piece({200.0, 200.0}, 1.0, 0.0, 0.0), piece({200.0, 200.0}, 1.0, 45.0, thickness()),
-                 piece({150.0, 200.0}, 1.5, 20.0, 2.0 * thickness())},
+    // so large that a ply is cut into parts which threads take one by one
+    Stack stack({piece({480.0, 480.0}, 1.0, 0.0, 0.0), piece({480.0, 460.0}, 1.0, 45.0, thickness()),
+                 piece({450.0, 480.0}, 1.5, 20.0, 2.0 * thickness())},
                 rubbing(0.3), threads);
     crumple(stack, 0.05, 3);
     std::vector<double> bits;
