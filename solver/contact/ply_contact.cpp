@@ -184,7 +184,7 @@ void PlyContact::Parts::look(double inverse_time) {
     BlockFrame frame;
     for (int b = its.first_block; b < its.end_block; ++b) {
       bool with_frame = false;
-      face[its.ply].clear_levers(b);
+      face[its.ply].begin_levers(b);
       for (const int p : awake) {
         if (!pass(p).is_near(b)) {
           pass(p).pass_over(b);
@@ -194,6 +194,7 @@ void PlyContact::Parts::look(double inverse_time) {
         with_frame = true;
         pass(p).look(b, frame, inverse_time, its.back[p]);
       }
+      face[its.ply].end_levers(b);
     }
   });
 }

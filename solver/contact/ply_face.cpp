@@ -95,6 +95,7 @@ void PlyFace::find_irregular() {
   first_irregular_.push_back(static_cast<int>(irregular_.size()));
   irregular_lever_.assign(irregular_.size(), {});
   has_levers_.assign(blocks_.size(), 0);
+  added_.assign(blocks_.size(), 0);
   for (auto& component : lever_) component.assign(static_cast<std::size_t>(nodes()) + 2 * stride, 0.0);
 }
 
@@ -141,23 +142,36 @@ void PlyFace::frame(int number, BlockFrame& frame) const {
 }
 
 void PlyFace::clear_levers(int number) {
-  if (has_levers_[number] == 0) return;
-  has_levers_[number] = 0;
   const PlyBlock& block = blocks_[number];
   const int stride = ply_.packed().stride;
   for (auto& component : lever_) std::fill_n(component.begin() + stride + block.first, block.count, 0.0);
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k) irregular_lever_[k].fill(0.0);
 }
 
+void PlyFace::end_levers(int number) {
+  if (has_levers_[number] == 0 || added_[number] != 0) return;
+  clear_levers(number);
+  has_levers_[number] = 0;
+}
+
+// The first of a step that has the whole block takes the place of what was there.
 void PlyFace::add_levers(int number, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]) {
-  has_levers_[number] = 1;
+  const PlyBlock& block = blocks_[number];
   const int stride = ply_.packed().stride;
-  for (std::size_t c = 0; c < 6; ++c)
-    loops_of_plies().add(end - first, lever[c] + first, lever_[c].data() + stride + blocks_[number].first + first);
+  const bool begins = added_[number] == 0, whole = first == 0 && end == block.count;
+  if (begins && !whole && has_levers_[number] != 0) clear_levers(number);
+  has_levers_[number] = added_[number] = 1;
+  for (std::size_t c = 0; c < 6; ++c) {
+    double* const into = lever_[c].data() + stride + block.first + first;
+    if (begins && whole)
+      std::copy_n(lever[c], block.count, into);
+    else
+      loops_of_plies().add(end - first, lever[c] + first, into);
+  }
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k)
     for (std::size_t c = 0; c < 6; ++c) {
       double& there = lever_[c][stride + irregular_[k]];
-      irregular_lever_[k][c] += there;
+      irregular_lever_[k][c] = (begins && whole ? 0.0 : irregular_lever_[k][c]) + there;
       there = 0.0;
     }
 }

@@ -68,10 +68,11 @@ public:
   // mm/s; greatest speed of the block's nodes.
   [[nodiscard]] double speed(int block) const;
 
-  // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are cleared, added to by its passes, and
-  // when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
-  void clear_levers(int block);
+  // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are begun, added to by its passes and ended,
+  // and when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
+  void begin_levers(int block) { added_[block] = 0; }
   void add_levers(int block, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]);
+  void end_levers(int block);  // those of the step before are gone where nothing was added
   [[nodiscard]] bool has_levers() const;
   void take_levers(int first, int end);
   void take_irregular_levers();
@@ -91,7 +92,8 @@ private:
   std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
   std::array<Doubles, 6> lever_;                  // N; a row before and behind the packed nodes', 0 at irregular nodes
   std::vector<std::array<double, 6>> irregular_lever_;  // N
-  std::vector<char> has_levers_;                        // per block
+  std::vector<char> has_levers_, added_;                // per block; above 0 somewhere, and in this step
+  void clear_levers(int block);
   std::vector<PlyBlock> blocks_;
   std::vector<int> chunk_at_;  // lanes at which all chunks but the first begin
   std::vector<int> lane_of_, node_of_;

@@ -11,6 +11,8 @@ namespace {
 // Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
 constexpr double ply_border = 0.3, triangle_border = 0.05;
 constexpr double beside_the_ply = 0.02;  // of a cell: no foot goes so far out of its cell in a step
+constexpr double beside_not_far =
+    1.0;  // cells; a foot so near to the ply is beside it, and not over the other side of a hole
 constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
 
 }  // namespace
@@ -139,7 +141,8 @@ void PlyPassState::find_again(int number) {
   find_lost(number);
 }
 
-// From where it left, or from where a neighbour's is; off the ply where neither leads onto it.
+// From where it left, or, when that is far from the ply by now or leads nowhere, from where a neighbour's is; off the ply
+// where neither leads onto it.
 SurfacePlace PlyPassState::place_again(int lane) const {
   const PlySurface& surface = other_.surface();
   const int node = own_.node_of(lane);
@@ -152,6 +155,7 @@ SurfacePlace PlyPassState::place_again(int lane) const {
     return false;
   };
   if (SurfacePlace own = place_of(lane); leads_on(own)) return own;
+  if (off.facet >= 0 && surface.away(off) < beside_not_far) return off;
   for (const int l : own_.lanes_beside(lane))
     if (l >= 0)
       if (SurfacePlace theirs = place_of(l); leads_on(theirs)) return theirs;
