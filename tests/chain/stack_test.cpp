@@ -58,6 +58,7 @@ TEST_F(StackChain, EveryAnswerSaysOfWhichPlyItIs) {
   run("weaveform run " + two_ply_hemisphere + " --output one" + stack_settings);
   const nlohmann::json answers = summary("one");
   EXPECT_EQ(answers.at("symmetry"), "quarter");
+  EXPECT_LT(answers.at("energy_error").get<double>(), 0.0025);
   int cells = 0;
   for (const char* ply : {"lower", "upper"}) {
     const auto& of = answers.at("plies").at(ply);
