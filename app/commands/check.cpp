@@ -7,6 +7,7 @@
 #include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
 #include "app/stages/checked_model.hpp"
+#include "app/stages/chosen_duration.hpp"
 #include "app/stages/claims.hpp"
 #include "app/stages/mesh_json.hpp"
 #include "app/stages/resolved_text.hpp"
@@ -41,12 +42,15 @@ void add_check_command(CLI::App& program) {
   add_json_argument(*command, arguments->json);
   command->callback([arguments] {
     const SceneArguments& scene = arguments->scene;
-    const Resolved model = checked_model(scene.scene, scene.overrides, scene.yes, Look::with_first_step);
+    Resolved model = checked_model(scene.scene, scene.overrides, scene.yes, Look::with_first_step);
+    const auto duration = choose_duration(scene.scene, scene.overrides);
+    set_duration(model, duration);
     const ExpectedRun expected = require_room(model, default_result_folder(scene.scene), scene.yes);
     log_warnings(early_warnings(model));
     const std::string resolved = arguments->resolved ? resolved_text(model) : "";
     if (arguments->json) return print_answer(json_text(check_json(model, expected, resolved)));
-    print_answer(commented(describe(model)) + commented(describe(expected)) + scene_to_toml(model.scene) + resolved);
+    print_answer(commented(describe(model)) + (duration ? commented(describe(*duration)) : "") +
+                 commented(describe(expected)) + scene_to_toml(model.scene) + resolved);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
 #include "app/stages/checked_model.hpp"
+#include "app/stages/chosen_duration.hpp"
 #include "app/stages/claims.hpp"
 #include "app/stages/mesh_json.hpp"
 #include "app/stages/plan.hpp"
@@ -32,8 +33,10 @@ void make_mesh(const MeshArguments& arguments) {
     const auto plan = make_plan(arguments.scene.scene, arguments.scene.overrides, arguments.threads);
     return print_answer(arguments.json ? json_text(plan_json(plan)) : plan_table(plan));
   }
-  const Resolved model =
+  Resolved model =
       checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_first_complaint);
+  const auto duration = choose_duration(arguments.scene.scene, arguments.scene.overrides);
+  set_duration(model, duration);
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("mesh", model.scene, arguments.verbose);
@@ -42,6 +45,7 @@ void make_mesh(const MeshArguments& arguments) {
   log_warnings(early_warnings(model));
   (void)write_model(model, directory, console_listener(arguments.quiet));
   if (arguments.quiet) return;
+  if (duration) log_line(describe(*duration));
   print_answer(arguments.json ? json_text(mesh_json(model)) : describe(model));
   log_end(directory, fmt::format("mesh.vtu for ParaView; next: weaveform solve {}", directory.string()));
 }

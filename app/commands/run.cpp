@@ -11,6 +11,7 @@
 #include "app/console.hpp"
 #include "app/interrupt.hpp"
 #include "app/stages/checked_model.hpp"
+#include "app/stages/chosen_duration.hpp"
 #include "app/stages/claims.hpp"
 #include "app/stages/stages.hpp"
 #include "app/study/accuracy.hpp"
@@ -61,13 +62,15 @@ void run_to_accuracy(const RunArguments& arguments) {
   options.threads = arguments.solve.threads;
   if (!arguments.solve.quiet) options.log = log_line;
   const std::filesystem::path directory = folder_of(arguments);
-  const Scene scene = read_scene(arguments.scene.scene, arguments.scene.overrides);
+  const auto duration = choose_duration(arguments.scene.scene, arguments.scene.overrides);
+  if (duration) log_line(describe(*duration));
+  const auto overrides = with_duration(arguments.scene.overrides, duration);
+  const Scene scene = read_scene(arguments.scene.scene, overrides);
   const OutputFolder folder(result_claim(directory, scene));
   log_warning(folder.trouble());
   const InterruptWatch signals;
   options.stop_requested = InterruptWatch::requested;
-  const study::Accuracy found =
-      study::find_accuracy(arguments.scene.scene, arguments.scene.overrides, directory, options);
+  const study::Accuracy found = study::find_accuracy(arguments.scene.scene, overrides, directory, options);
   clear_folder(directory, scene);
   constexpr auto over = std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
   std::filesystem::copy(found.results, directory, over);
@@ -97,12 +100,15 @@ void run(const RunArguments& arguments) {
   if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
   Resolved model =
       checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_all_complaints);
+  const auto duration = choose_duration(arguments.scene.scene, arguments.scene.overrides);
+  set_duration(model, duration);
   const std::filesystem::path directory = folder_of(arguments);
   std::string expected;
   if (!arguments.solve.resume) expected = describe(require_room(model, directory, arguments.scene.yes));
   if (!arguments.solve.quiet) {
     log_start("run", model.scene, arguments.verbose);
     log_line(describe(model));
+    if (duration) log_line(describe(*duration));
     if (!expected.empty()) log_line(expected);
   }
   const OutputFolder folder(result_claim(directory, model.scene));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/stages/checked_model.hpp"
+#include "app/stages/chosen_duration.hpp"
 #include "core/error.hpp"
 #include "mesher/scene/overrides.hpp"
 #include "mesher/scene/reader.hpp"
@@ -73,11 +74,12 @@ PlanRow measured_row(const Resolved& model, int threads) {
 
 std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<std::string>& overrides, int threads) {
   const Scene asked = read_scene(scene_file, overrides);
+  const auto with_its_duration = with_duration(overrides, choose_duration(scene_file, overrides));
   std::vector<PlanRow> rows;
   std::vector<double> shorter;  // of each row; of one that takes long, that of the finest that does not
   double known = 1.0;
   for (const double factor : factors) {
-    auto with_factor = overrides;
+    auto with_factor = with_its_duration;
     for (const std::string& coarsening : coarsened(asked, factor)) with_factor.push_back(coarsening);
     with_factor.emplace_back("analysis.perturbation=0.0");  // a perturbed run is two runs
     PlanRow row;

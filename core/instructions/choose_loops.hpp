@@ -2,9 +2,9 @@
 // function pointers in a namespace named after its set, and nothing else that other files can see; below the table's
 // type, in a file compiled like all others, stands
 //
-//   WEAVEFORM_CHOOSE_LOOPS(RowLoops, row_loops)
+//   WEAVEFORM_CHOOSE_LOOPS(ElementLoops, loops_of_elements)
 //
-// which defines `const RowLoops& chosen_row_loops()`. For use inside namespace weaveform.
+// which defines `const ElementLoops& chosen_loops_of_elements()`. For use inside namespace weaveform.
 #pragma once
 
 #include "core/instructions/instructions.hpp"

@@ -16,6 +16,13 @@ const std::vector<Key<AnalysisSpec>>& analysis_keys() {
                                          .unit = "mm/s",
                                          .limits = above(0, 1e9),
                                          .doc = "greatest speed of any grip; an alternative to `duration`"}),
+      key<&AnalysisSpec::inertia>(
+          {.name = "inertia",
+           .unit = "1",
+           .limits = between(1e-4, 0.5),
+           .doc = "share of the loads that inertia and damping may be, e.g. 0.01. Without `duration` and "
+                  "`loading_speed` the duration is chosen by it, from trials on a coarser mesh; with one of them the "
+                  "run warns beyond it; auto: nothing is chosen by it and the run warns beyond 0.02"}),
       key<&AnalysisSpec::yarn_viscosity>(
           {.name = "yarn_viscosity",
            .unit = "1",

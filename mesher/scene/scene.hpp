@@ -160,6 +160,7 @@ struct DrapeSpec {
 struct AnalysisSpec {
   Auto duration;             // s; auto: chosen from the fabric's slowest shear wave (docs/theory.md)
   Auto loading_speed;        // mm/s; greatest speed of any grip; an alternative to duration
+  Auto inertia;              // 1; share of the loads that inertia may be: the duration is chosen by it, the run warns
   double step_factor = 0.9;  // fraction of the stable step
   StepBound step_bound = StepBound::reached;
   int bending_every = 1;    // steps from one evaluation of bending to the next

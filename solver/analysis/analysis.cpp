@@ -14,8 +14,8 @@
 namespace weaveform {
 namespace {
 
-constexpr int check_interval = 500;          // steps between looks at the stable step and at wrong states
-constexpr int cells_worth_a_thread = 20000;  // below, a second thread costs more than it brings (./dev bench)
+constexpr int check_interval = 500;         // steps between looks at the stable step and at wrong states
+constexpr int cells_worth_a_thread = 1000;  // below, no second thread brings anything; above, the team's pace finds out
 constexpr long clock_look = 16;  // steps between looks at the clock, which costs a hundredth of the smallest step
 
 int choose_threads(int wanted, int cells) {
@@ -86,6 +86,7 @@ void Analysis::open() {
 }
 
 bool Analysis::step_on() {
+  pace_.next_step();
   if (world_.steps() % check_interval == 0) look_around();
   open_outputs();
   const bool last = world_.finished();

@@ -12,6 +12,7 @@
 #include "solver/analysis/outputs.hpp"
 #include "solver/analysis/verdict.hpp"
 #include "solver/analysis/world.hpp"
+#include "solver/state/pace.hpp"
 
 namespace weaveform {
 
@@ -71,6 +72,7 @@ private:
   std::filesystem::path directory_;
   SolveOptions options_;
   Team team_;
+  PaceKeeper pace_{team_};
   Loading loading_;
   World world_;
   Outputs outputs_;

@@ -105,9 +105,9 @@ struct YarnMapping {
 
 // Moves the history from its directions to g1, g2 and returns the nodal-force pair. `volume` = flat area * thickness.
 template <Frame frame, Thickness thickness, class Shear>
-[[gnu::always_inline]] inline CellForce incremental_cell_force(const Shear& law, const double (&g1)[3],
-                                                               const double (&g2)[3], double volume,
-                                                               CellHistory& history) {
+[[gnu::always_inline]] inline CellForce<double> incremental_cell_force(const Shear& law, const double (&g1)[3],
+                                                                       const double (&g2)[3], double volume,
+                                                                       CellHistory& history) {
   double middle1[3], middle2[3], d1[3], d2[3];
 #pragma GCC unroll 3
   for (int k = 0; k < 3; ++k) {
@@ -153,7 +153,7 @@ template <Frame frame, Thickness thickness, class Shear>
                a12 = factor * (stress4 * end.m11 - stress1 * end.m21);
   const double a21 = factor * (stress4 * end.m22 - stress2 * end.m12),
                a22 = factor * (stress2 * end.m11 - stress4 * end.m21);
-  CellForce force;
+  CellForce<double> force;
 #pragma GCC unroll 3
   for (int k = 0; k < 3; ++k) {
     force.warp[k] = end.e1[k] * a11 + end.e2[k] * a21;

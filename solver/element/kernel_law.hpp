@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fabric/law/tangent_law.hpp"
+#include "solver/element/lanes.hpp"
 
 namespace weaveform {
 
@@ -16,14 +17,13 @@ struct KernelLaw {
   double coefficient[Pieces][Degree] = {};  // of t, t^2, ..., t^Degree
 
   // always_inline: the loops over pieces must unroll inside the caller's vector loop
-  [[gnu::always_inline]] inline double stress(double strain) const {
-    double sum = 0.0;
+  template <class T>
+  [[gnu::always_inline]] inline T stress(const T& strain) const {
+    T sum = spread<T>(0.0);
 #pragma GCC unroll 8
     for (int p = 0; p < Pieces; ++p) {
-      double t = strain - anchor[p];
-      t = t < low[p] ? low[p] : t;
-      t = t > high[p] ? high[p] : t;
-      double polynomial = coefficient[p][Degree - 1];
+      const T t = at_most(at_least(strain - anchor[p], low[p]), high[p]);
+      T polynomial = spread<T>(coefficient[p][Degree - 1]);
 #pragma GCC unroll 8
       for (int n = Degree - 2; n >= 0; --n) polynomial = polynomial * t + coefficient[p][n];
       sum += polynomial * t;
@@ -56,16 +56,16 @@ struct JointLaw {
   double taut = 0.0;           // MPa; the tangent beyond
   double slack = 0.0;          // MPa; that below zero strain
 
-  [[gnu::always_inline]] inline double stress(double strain) const {
-    double beyond = strain - joint;
-    beyond = beyond > 0.0 ? beyond : 0.0;
-    double t = strain < joint ? strain : joint;
-    double sum = taut * beyond;
+  template <class T>
+  [[gnu::always_inline]] inline T stress(const T& strain) const {
+    T t = at_most(strain, joint);
+    T outer = spread<T>(taut);  // the tangent outside [0, joint]
     if constexpr (pressed) {
-      sum += slack * (strain < 0.0 ? strain : 0.0);
-      t = t > 0.0 ? t : 0.0;
+      t = at_least(t, 0.0);
+      outer = select(strain < spread<T>(0.0), spread<T>(slack), outer);
     }
-    return sum + (((coefficient[3] * t + coefficient[2]) * t + coefficient[1]) * t + coefficient[0]) * t;
+    return outer * (strain - t) +
+           (((coefficient[3] * t + coefficient[2]) * t + coefficient[1]) * t + coefficient[0]) * t;
   }
 
   // C(e)

@@ -12,12 +12,14 @@
 
 #include "mesher/scene/choices.hpp"
 #include "solver/element/half_log.hpp"
+#include "solver/element/inverse_root.hpp"
 
 namespace weaveform {
 
+template <class T>
 struct CellForce {
-  double warp[3];  // N; conjugate to g1, so that node a of the cell gets -(c1_a * warp + c2_a * weft)
-  double weft[3];  // N; conjugate to g2
+  T warp[3];  // N; conjugate to g1, so that node a of the cell gets -(c1_a * warp + c2_a * weft)
+  T weft[3];  // N; conjugate to g2
 };
 
 // Packed shear law, odd in the strain: the tangent polynomial and, where `started`, the card's friction-like start, which
@@ -28,11 +30,12 @@ struct KernelShear {
   double plateau = 0.0;  // MPa
   double rise = 1.0;     // 1
 
-  [[gnu::always_inline]] inline double stress(double log_strain) const {
-    const double size = std::abs(log_strain);
-    double stress = law.stress(size);
+  template <class T>
+  [[gnu::always_inline]] inline T stress(const T& log_strain) const {
+    const T size = magnitude(log_strain);
+    T stress = law.stress(size);
     if constexpr (started) stress += plateau * size / (size + rise);
-    return std::copysign(stress, log_strain);
+    return signed_like(stress, log_strain);
   }
 
   // C_sh (MPa), even in the strain
@@ -44,39 +47,41 @@ struct KernelShear {
 };
 
 // Sets `square` to sin^2 gamma.
-template <Formulation formulation, Thickness thickness, class Shear>
-[[gnu::always_inline]] inline CellForce shear_cell_force(const Shear& law, const double (&g1)[3], const double (&g2)[3],
-                                                         double volume, double& square) {
+template <Formulation formulation, Thickness thickness, class Shear, class T>
+[[gnu::always_inline]] inline CellForce<T> shear_cell_force(const Shear& law, const T (&g1)[3], const T (&g2)[3],
+                                                            const T& volume, T& square) {
   static_assert(formulation == Formulation::energy || formulation == Formulation::contravariant,
                 "the formulations with a history have kernels of their own (incremental_cell.hpp)");
-  // a cell without area, as rows are padded with, may have no directions
+  // a cell without area, as blocks are filled up with, may have no directions
   constexpr double least = 1e-12;
-  const double length1 = g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2];
-  const double length2 = g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2];
-  const double square1 = length1 > least ? length1 : least, square2 = length2 > least ? length2 : least;
-  const double dot = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
-  const double inverse = 1.0 / std::sqrt(square1 * square2);
+  const T square1 = at_least<T>(g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2], least);
+  const T square2 = at_least<T>(g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2], least);
+  const T dot = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
+  const T inverse = inverse_root<T>(square1 * square2);
   // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the
   // cell.
   constexpr double limit = 1.0 - 1e-12;
-  double s = dot * inverse;
-  s = s > limit ? limit : s;
-  s = s < -limit ? -limit : s;
+  const T s = at_least(at_most<T>(dot * inverse, limit), -limit);
   square = s * s;
-  double force = volume * law.stress(half_log(1.0 + s, 1.0 - s));
-  if constexpr (thickness == Thickness::constant) force *= std::sqrt(1.0 - square);
-  const double cross = force * inverse;
-  double along1 = 0.0, along2 = 0.0;
+  T force = volume * law.stress(half_log<T>(1.0 + s, 1.0 - s));
+  if constexpr (thickness == Thickness::constant)
+    force = force * ((1.0 - square) * inverse_root<T>(1.0 - square));  // cos gamma
+  const T cross = force * inverse;
+  CellForce<T> result;
   if constexpr (formulation == Formulation::energy) {
-    const double per_area = force * s * (inverse * inverse);  // force * s / square1 / square2
-    along1 = per_area * square2;
-    along2 = per_area * square1;
-  }
-  CellForce result;
+    const T per_area = force * s * (inverse * inverse);  // force * s / square1 / square2
+    const T along1 = per_area * square2, along2 = per_area * square1;
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
-    result.warp[c] = cross * g2[c] - along1 * g1[c];
-    result.weft[c] = cross * g1[c] - along2 * g2[c];
+    for (int c = 0; c < 3; ++c) {
+      result.warp[c] = cross * g2[c] - along1 * g1[c];
+      result.weft[c] = cross * g1[c] - along2 * g2[c];
+    }
+  } else {
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c) {
+      result.warp[c] = cross * g2[c];
+      result.weft[c] = cross * g1[c];
+    }
   }
   return result;
 }

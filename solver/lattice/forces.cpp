@@ -1,24 +1,86 @@
 #include "solver/lattice/forces.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "solver/element/sheared_start.hpp"
-#include "solver/lattice/row_kernels.hpp"
-#include "solver/state/row_blocks.hpp"
+#include "solver/lattice/bands.hpp"
+#include "solver/lattice/element_loops.hpp"
 
 namespace weaveform {
 namespace {
 
+// The element forces of one band, N: on a slot's node by the warp element that starts there, by the weft element, and
+// the two of the cell (element_loops.hpp). Slot n stands at n - origin, readable from one slot before the band to one
+// behind it.
+class BandForces {
+public:
+  explicit BandForces(int slots) {
+    for (auto& array : array_) array.assign(slots + 2 * guard, 0.0);
+  }
+  void place(int origin) { origin_ = origin; }
+  [[nodiscard]] int origin() const { return origin_; }
+  // Component c.
+  double* along(int c) { return array_[c].data() + guard; }
+  double* across(int c) { return array_[3 + c].data() + guard; }
+  double* p(int c) { return array_[6 + c].data() + guard; }
+  double* q(int c) { return array_[9 + c].data() + guard; }
+
+  static constexpr int along_arrays = 3, between_arrays = 9;
+  [[nodiscard]] std::array<double*, along_arrays> along_array() { return {along(0), along(1), along(2)}; }
+  [[nodiscard]] std::array<double*, between_arrays> between_array() {
+    return {across(0), across(1), across(2), p(0), p(1), p(2), q(0), q(1), q(2)};
+  }
+  [[nodiscard]] RowForces row() {
+    return {{along(0), along(1), along(2)},
+            {across(0), across(1), across(2)},
+            {p(0), p(1), p(2)},
+            {q(0), q(1), q(2)},
+            origin_};
+  }
+
+private:
+  static constexpr int guard = 8;  // a cache line, so that slots stay aligned; a block that clears ends in it
+  std::array<Doubles, 12> array_;
+  int origin_ = 0;
+};
+
+// What one thread works on: two bands in turn, of which the one before holds the row below this one's first.
 struct Scratch {
-  Scratch(int stride, bool with_history) : along(row_vectors(stride)), across(along), p(along), q(along), carry(along) {
+  Scratch(int slots, int stride, bool with_history) : bands{BandForces(slots), BandForces(slots)} {
     if (with_history) spare_history.assign(cell_history_size, Doubles(stride));
   }
-  RowVectors along, across, p, q, carry;
+  std::array<BandForces, 2> bands;
   std::vector<Doubles> spare_history;  // where the histories of a neighbour's row go
+};
+
+// Over the elements of one band: the same lanes for any number of threads.
+struct BandSums {
+  std::array<YarnLanes, 2> yarns;  // warp, weft
+  CellLanes cells;
+  BandSums() {
+    for (YarnLanes& family : yarns)
+      for (int l = 0; l < lane_count; ++l) {
+        family.power[l] = 0.0;
+        family.shortest[l] = family.longest[l] = 1.0;
+      }
+    for (double& sharpest : cells.sharpest) sharpest = 0.0;
+  }
+};
+
+struct YarnSums {
+  double power = 0.0;                    // mJ/s; of the yarns' viscosity
+  double shortest = 1.0, longest = 1.0;  // 1; least and greatest (L/L0)^2
+
+  void add(const YarnLanes& more) {
+    for (int l = 0; l < lane_count; ++l) {
+      power += more.power[l];
+      shortest = std::min(shortest, more.shortest[l]);
+      longest = std::max(longest, more.longest[l]);
+    }
+  }
 };
 
 // The histories of all cells of one kind, at the last two calls: read from one, written to the other.
@@ -30,13 +92,19 @@ public:
   }
   void swap() { std::swap(side_[0], side_[1]); }
   [[nodiscard]] std::array<Doubles, cell_history_size>& current() { return side_[0]; }
-  // From entry `offset` on; written to `spare` when given.
-  [[nodiscard]] HistoryArrays arrays(std::size_t offset, std::vector<Doubles>* spare = nullptr) {
+  [[nodiscard]] HistoryArrays arrays() {
     HistoryArrays result{};
     for (int k = 0; k < cell_history_size; ++k) {
-      result.before[k] = side_[0][k].data() + offset;
-      result.after[k] = spare != nullptr ? (*spare)[k].data() : side_[1][k].data() + offset;
+      result.before[k] = side_[0][k].data();
+      result.after[k] = side_[1][k].data();
     }
+    return result;
+  }
+  // Those of the row at `offset` are written to `spare`.
+  [[nodiscard]] HistoryArrays arrays_beside(int offset, std::vector<Doubles>& spare) {
+    HistoryArrays result = arrays();
+    for (int k = 0; k < cell_history_size; ++k) result.after[k] = spare[k].data();
+    result.after_origin = offset;
     return result;
   }
 
@@ -94,26 +162,24 @@ ShearLawShape shape_shear_law(const ShearCard& card) {
 }  // namespace
 
 struct FabricForces::Kernels {
-  const RowLoops& loops = loops_of_rows();
+  const ElementLoops& loops = element_loops();
   const PackedMesh& packed;
   Team& team;
   double thickness;
   std::array<YarnLawShape, 2> yarn_law;
   ShearLawShape shear;
-  std::array<YarnKernels, 2> yarn;
+  std::array<YarnLoops, 2> yarn;
   std::array<double, 2> viscosity = {0.0, 0.0};  // MPa s
   double look_ahead = 0.0;                       // s
-  // per row, so that sums have one order for any number of threads
-  std::array<std::vector<YarnSums>, 2> row_sums;  // warp, weft
-  std::vector<double> row_sharpest;
-  std::array<YarnSums, 2> sums;  // of all yarns in the last call
-  double sharpest = 0.0;         // sin^2 gamma, of all cells
+  Bands bands;
+  std::vector<int> share;           // of each thread: its first band
+  std::vector<BandSums> band_sums;  // one per band
+  std::array<YarnSums, 2> sums;     // of all yarns in the last call
+  double sharpest = 0.0;            // sin^2 gamma, of all cells
   bool has_history;
-  CellKernels cell{};
-  HistoryCellKernels history_cell{};
+  CellLoops cell{};
+  HistoryCellLoops history_cell{};
   HistoryStore lattice_history, loose_history;
-  RowRuns warp_runs, weft_runs, cell_runs;  // padded, but for cells with a history
-  std::vector<int> block;
   std::vector<Scratch> scratch;
   std::array<std::array<Doubles, 3>, 2> loose_yarn_force;
   std::array<Doubles, 3> loose_warp_force, loose_weft_force;
@@ -125,28 +191,25 @@ struct FabricForces::Kernels {
         thickness(card.thickness),
         yarn_law{shape_yarn_law(yarn_laws[0], "warp"), shape_yarn_law(yarn_laws[1], "weft")},
         shear(shape_shear_law(card.shear)),
-        row_sums{std::vector<YarnSums>(packed_mesh.rows), std::vector<YarnSums>(packed_mesh.rows)},
-        row_sharpest(packed_mesh.rows, 0.0),
-        has_history(model.formulation == Formulation::incremental || model.formulation == Formulation::side_frame),
-        warp_runs(padded_runs(packed_mesh.warp_runs)),
-        weft_runs(padded_runs(packed_mesh.weft_runs)),
-        cell_runs(has_history ? packed_mesh.cell_runs : padded_runs(packed_mesh.cell_runs)),
-        block(balanced_blocks(packed_mesh, its_team.threads())) {
-    for (int f = 0; f < 2; ++f) yarn[f] = yarn_kernels(model.section, yarn_law[f].is_paper);
+        bands(make_bands(packed_mesh)),
+        share(balanced_bands(bands, its_team.threads())),
+        band_sums(bands.size()),
+        has_history(model.formulation == Formulation::incremental || model.formulation == Formulation::side_frame) {
+    for (int f = 0; f < 2; ++f) yarn[f] = loops.yarns(model.section, yarn_law[f].is_paper);
     if (has_history) {
       history_cell =
-          history_cell_kernels(model.formulation == Formulation::side_frame ? Frame::side : Frame::green_naghdi,
-                               model.thickness, shear.shape);
+          loops.history_cells(model.formulation == Formulation::side_frame ? Frame::side : Frame::green_naghdi,
+                              model.thickness, shear.shape);
       start_history(start);
       start_sheared(model);
     } else {
-      cell = cell_kernels(model.formulation, model.thickness, shear.shape);
+      cell = loops.cells(model.formulation, model.thickness, shear.shape);
     }
-    for (int t = 0; t < team.threads(); ++t) scratch.emplace_back(packed.stride, has_history);
+    for (int t = 0; t < team.threads(); ++t) scratch.emplace_back(bands.most_slots, packed.stride, has_history);
     for (int c = 0; c < 3; ++c) {
-      for (int f = 0; f < 2; ++f) loose_yarn_force[f][c].resize(packed.loose_yarns[f].size());
-      loose_warp_force[c].resize(packed.loose_cells.size());
-      loose_weft_force[c].resize(packed.loose_cells.size());
+      for (int f = 0; f < 2; ++f) loose_yarn_force[f][c].resize(packed.loose_yarns[f].length.size());
+      loose_warp_force[c].resize(packed.loose_cells.area.size());
+      loose_weft_force[c].resize(packed.loose_cells.area.size());
     }
   }
 
@@ -203,101 +266,101 @@ struct FabricForces::Kernels {
       start_cell(loose_history.current(), static_cast<std::size_t>(e), packed.loose_cells.area[e] * thickness);
   }
 
-  [[nodiscard]] RowPair row_pair(const Components& values, int row_a, int shift_b, int row_b) const {
-    RowPair rows{};
+  static NodeArrays node_arrays(const State& state) {
+    NodeArrays nodes{};
     for (int c = 0; c < 3; ++c) {
-      rows.a[c] = values[c].data() + static_cast<std::size_t>(row_a) * packed.stride;
-      rows.b[c] = values[c].data() + static_cast<std::size_t>(row_b) * packed.stride + shift_b;
+      nodes.position[c] = state.position[c].data();
+      nodes.velocity[c] = state.velocity[c].data();
     }
-    return rows;
+    return nodes;
   }
 
-  static void add(YarnSums& sum, const YarnSums& more) {
-    sum.power += more.power;
-    sum.shortest = std::min(sum.shortest, more.shortest);
-    sum.longest = std::max(sum.longest, more.longest);
+  // The blocks of rows first <= j < last.
+  static SlotBlocks blocks_of(const PerRow<int>& blocks, int first, int last, int origin) {
+    return {blocks.item.data() + blocks.first[first], blocks.first[last] - blocks.first[first], origin};
   }
 
-  static std::array<double*, 3> pointers(RowVectors& buffers) {
-    return {buffers[0].data(), buffers[1].data(), buffers[2].data()};
+  void warp_of_rows(const NodeArrays& nodes, int first, int last, BandForces& forces, YarnLanes& lanes) {
+    double* const t[3] = {forces.along(0), forces.along(1), forces.along(2)};
+    const RowYarns yarns = {blocks_of(bands.warp, first, last, forces.origin()), 1, packed.spacing[0],
+                            packed.warp_section.data()};
+    loops.clear(blocks_of(bands.warp_gaps, first, last, forces.origin()), t, BandForces::along_arrays);
+    yarn[0].row(yarn_law[0].pointer(), yarns, nodes, {viscosity[0], look_ahead}, t, lanes);
   }
 
-  void along_row(const State& state, int j, Scratch& s) {
-    double* const t[3] = {s.along[0].data(), s.along[1].data(), s.along[2].data()};
-    const RowPair rows = row_pair(state.position, j, 1, j), velocity = row_pair(state.velocity, j, 1, j);
-    const double* area = packed.warp_section.data() + static_cast<std::size_t>(j) * packed.stride;
-    for (int r = warp_runs.first[j]; r < warp_runs.first[j + 1]; ++r)
-      add(row_sums[0][j], yarn[0].row(yarn_law[0].pointer(), rows, velocity, packed.spacing[0], viscosity[0],
-                                      look_ahead, area, warp_runs.run[r].begin, warp_runs.run[r].end, t));
+  // Weft elements and cells between each of the rows and the next. `foreign`: the one row is a neighbour's own, which
+  // alone keeps its histories and counts its sums.
+  void between_rows(const NodeArrays& nodes, int first, int last, Scratch& own, BandForces& forces, BandSums& found,
+                    bool foreign = false) {
+    const auto arrays_between = forces.between_array();
+    loops.clear(blocks_of(bands.between_gaps, first, last, forces.origin()), arrays_between.data(),
+                BandForces::between_arrays);
+    const SlotBlocks slots = blocks_of(bands.between, first, last, forces.origin());
+    double* const t[3] = {forces.across(0), forces.across(1), forces.across(2)};
+    yarn[1].row(yarn_law[1].pointer(), {slots, packed.stride, packed.spacing[1], packed.weft_section.data()}, nodes,
+                {viscosity[1], look_ahead}, t, found.yarns[1]);
+    const RowCells cells = {
+        slots, packed.stride, {1.0 / packed.spacing[0], 1.0 / packed.spacing[1]}, packed.cell_area.data()};
+    const RowCellForces out{{forces.p(0), forces.p(1), forces.p(2)}, {forces.q(0), forces.q(1), forces.q(2)}};
+    if (!has_history) return cell.row(shear.pointer(), cells, thickness, nodes, out, found.cells);
+    loops.clear(slots, arrays_between.data() + 3, BandForces::between_arrays - 3);  // runs of cells leave the rest
+    const auto arrays =
+        foreign ? lattice_history.arrays_beside(first * packed.stride, own.spare_history) : lattice_history.arrays();
+    for (int j = first; j < last && j + 1 < packed.rows; ++j)
+      for (int r = packed.cell_runs.first[j]; r < packed.cell_runs.first[j + 1]; ++r) {
+        const Run run = packed.cell_runs.run[r];
+        history_cell.row(shear.with_history(), cells, thickness, j * packed.stride + run.begin,
+                         j * packed.stride + run.end, nodes, arrays, out, found.cells);
+      }
   }
 
-  // Weft elements and cells between rows j and j+1.
-  // `foreign`: the row is a neighbour block's own, which alone keeps its histories and counts its power.
-  void between_rows(const State& state, int j, Run range, Scratch& s, bool foreign = false) {
-    for (auto* buffers : {&s.across, &s.p, &s.q})
-      for (auto& buffer : *buffers) buffer.clear(range);
-    if (j + 1 >= packed.rows) return;
-    const RowPair rows = row_pair(state.position, j, 0, j + 1), velocity = row_pair(state.velocity, j, 0, j + 1);
-    const auto offset = static_cast<std::size_t>(j) * packed.stride;
-    double* const t[3] = {s.across[0].data(), s.across[1].data(), s.across[2].data()};
-    for (int r = weft_runs.first[j]; r < weft_runs.first[j + 1]; ++r) {
-      const YarnSums found =
-          yarn[1].row(yarn_law[1].pointer(), rows, velocity, packed.spacing[1], viscosity[1], look_ahead,
-                      packed.weft_section.data() + offset, weft_runs.run[r].begin, weft_runs.run[r].end, t);
-      if (!foreign) add(row_sums[1][j], found);
+  // The row below row `first`, for the thread that begins there: its neighbour computes it too, and counts it.
+  void row_below(const NodeArrays& nodes, int first, Scratch& own, BandForces& below) {
+    below.place((first - 1) * packed.stride);
+    if (first == 0) {
+      for (double* array : below.between_array()) std::fill(array - 1, array + packed.stride, 0.0);
+      return;
     }
-    const CellRowOutput out{{s.p[0].data(), s.p[1].data(), s.p[2].data()},
-                            {s.q[0].data(), s.q[1].data(), s.q[2].data()}};
-    const double inverse1 = 1.0 / packed.spacing[0], inverse2 = 1.0 / packed.spacing[1];
-    const double* area = packed.cell_area.data() + offset;
-    for (int r = cell_runs.first[j]; r < cell_runs.first[j + 1]; ++r) {
-      const auto [begin, end] = cell_runs.run[r];
-      double found = 0.0;
-      if (has_history)
-        found = history_cell.row(shear.with_history(), rows, inverse1, inverse2, area, thickness, begin, end,
-                                 lattice_history.arrays(offset, foreign ? &s.spare_history : nullptr), out);
-      else
-        found = cell.row(shear.pointer(), rows, inverse1, inverse2, area, thickness, begin, end, out);
-      if (!foreign) row_sharpest[j] = std::max(row_sharpest[j], found);
-    }
+    BandSums uncounted;
+    between_rows(nodes, first - 1, first, own, below, uncounted, true);
   }
 
-  [[nodiscard]] Run reach(int j) const {
-    return padded(united(packed.span(j), j + 1 < packed.rows ? packed.span(j + 1) : Run{}));
-  }
-
-  void lattice_block(State& state, int first, int last, Scratch& s) {
-    if (first == last) return;
-    for (auto& buffer : s.carry) buffer.clear({0, packed.stride});
-    if (first > 0) {  // the block's first row also carries the elements below it, which its neighbour computes too
-      const Run range = reach(first - 1);
-      between_rows(state, first - 1, range, s, true);
-      for (int c = 0; c < 3; ++c)
-        loops.carry_row(s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(), range.begin, range.end);
-    }
-    for (int j = first; j < last; ++j) {
-      const Run range = reach(j);
-      for (auto& buffer : s.along) buffer.clear(range);
-      for (auto& family : row_sums) family[j] = {};
-      row_sharpest[j] = 0.0;
-      along_row(state, j, s);
-      between_rows(state, j, range, s);
-      for (int c = 0; c < 3; ++c)
-        loops.assemble_row(s.along[c].data(), s.across[c].data(), s.p[c].data(), s.q[c].data(), s.carry[c].data(),
-                           state.force[c].data() + static_cast<std::size_t>(j) * packed.stride, range.begin, range.end);
+  void bands_of_thread(State& state, int first_band, int last_band, Scratch& own) {
+    if (first_band == last_band) return;
+    const NodeArrays nodes = node_arrays(state);
+    double* const force[3] = {state.force[0].data(), state.force[1].data(), state.force[2].data()};
+    row_below(nodes, bands.first_row[first_band], own, own.bands[1]);
+    for (int b = first_band; b < last_band; ++b) {
+      BandForces &here = own.bands[0], &below = own.bands[1];
+      const int first = bands.first_row[b], last = bands.first_row[b + 1];
+      BandSums& found = band_sums[b];
+      found = {};
+      here.place(first * packed.stride);
+      warp_of_rows(nodes, first, last, here, found.yarns[0]);
+      between_rows(nodes, first, last, own, here, found);
+      const SlotBlocks first_row = blocks_of(bands.nodes, first, first + 1, 0),
+                       others = blocks_of(bands.nodes, first + 1, last, 0);
+      loops.assemble(first_row.block, first_row.count, packed.stride, here.row(), below.row(), force);
+      loops.assemble(others.block, others.count, packed.stride, here.row(), here.row(), force);
+      std::swap(own.bands[0], own.bands[1]);
     }
   }
 
   void loose_yarn_forces(State& state, int family) {
     const auto& yarns = packed.loose_yarns[family];
+    if (yarns.size() == 0) return;
     auto& force = loose_yarn_force[family];
-    const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
-    const double* const v[3] = {state.velocity[0].data(), state.velocity[1].data(), state.velocity[2].data()};
     double* const t[3] = {force[0].data(), force[1].data(), force[2].data()};
-    add(sums[family], yarn[family].loose(yarn_law[family].pointer(),
-                                         {yarns.size(), yarns.node0.data(), yarns.node1.data(), yarns.length.data(),
-                                          yarns.jaw.data(), yarns.section.data()},
-                                         viscosity[family], look_ahead, x, v, t));
+    BandSums found;
+    const ListedYarns listed = {static_cast<int>(yarns.length.size()) / lane_count,
+                                yarns.node0.data(),
+                                yarns.node1.data(),
+                                yarns.length.data(),
+                                yarns.jaw.data(),
+                                yarns.section.data()};
+    yarn[family].listed(yarn_law[family].pointer(), listed, node_arrays(state), {viscosity[family], look_ahead}, t,
+                        found.yarns[family]);
+    sums[family].add(found.yarns[family]);
     for (int c = 0; c < 3; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < yarns.size(); ++e) {
@@ -310,22 +373,36 @@ struct FabricForces::Kernels {
   void loose_cell_forces(State& state) {
     const auto& cells = packed.loose_cells;
     if (cells.size() == 0) return;
-    const double* const x[3] = {state.position[0].data(), state.position[1].data(), state.position[2].data()};
-    double* const warp[3] = {loose_warp_force[0].data(), loose_warp_force[1].data(), loose_warp_force[2].data()};
-    double* const weft[3] = {loose_weft_force[0].data(), loose_weft_force[1].data(), loose_weft_force[2].data()};
-    const LooseCellView view{cells.size(), cells.node[0].data(), cells.warp_coefficient[0].data(),
-                             cells.weft_coefficient[0].data(), cells.area.data()};
-    double found = 0.0;
+    const ListedCellForces out{{loose_warp_force[0].data(), loose_warp_force[1].data(), loose_warp_force[2].data()},
+                               {loose_weft_force[0].data(), loose_weft_force[1].data(), loose_weft_force[2].data()}};
+    const ListedCells listed = {static_cast<int>(cells.area.size()) / lane_count, cells.node[0].data(),
+                                cells.warp_coefficient[0].data(), cells.weft_coefficient[0].data(), cells.area.data()};
+    CellLanes found = BandSums().cells;
     if (has_history)
-      found = history_cell.loose(shear.with_history(), view, thickness, x, loose_history.arrays(0), warp, weft);
+      history_cell.listed(shear.with_history(), listed, thickness, 0, cells.size(), node_arrays(state),
+                          loose_history.arrays(), out, found);
     else
-      found = cell.loose(shear.pointer(), view, thickness, x, warp, weft);
-    sharpest = std::max(sharpest, found);
+      cell.listed(shear.pointer(), listed, thickness, node_arrays(state), out, found);
+    hold_sharpest(found);
     for (int c = 0; c < 3; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < cells.size(); ++e)
         for (int a = 0; a < LooseCells::width; ++a)
-          f[cells.node[e][a]] -= cells.warp_coefficient[e][a] * warp[c][e] + cells.weft_coefficient[e][a] * weft[c][e];
+          f[cells.node[e][a]] -=
+              cells.warp_coefficient[e][a] * out.warp[c][e] + cells.weft_coefficient[e][a] * out.weft[c][e];
+    }
+  }
+
+  void hold_sharpest(const CellLanes& cells) {
+    for (const double square : cells.sharpest) sharpest = std::max(sharpest, square);
+  }
+
+  void sum_up() {
+    sums = {};
+    sharpest = 0.0;
+    for (const BandSums& band : band_sums) {
+      for (int f = 0; f < 2; ++f) sums[f].add(band.yarns[f]);
+      hold_sharpest(band.cells);
     }
   }
 };
@@ -339,13 +416,9 @@ FabricForces::~FabricForces() = default;
 void FabricForces::compute(State& state) {
   auto& k = *kernels_;
   k.team.run(static_cast<int>(k.scratch.size()),
-             [&](int b) { k.lattice_block(state, k.block[b], k.block[b + 1], k.scratch[b]); });
+             [&](int t) { k.bands_of_thread(state, k.share[t], k.share[t + 1], k.scratch[t]); });
   for (int c = 0; c < 3; ++c) std::fill(state.force[c].begin() + k.packed.lattice_nodes(), state.force[c].end(), 0.0);
-  for (int f = 0; f < 2; ++f) {
-    k.sums[f] = {};
-    for (const YarnSums& row : k.row_sums[f]) k.add(k.sums[f], row);
-  }
-  k.sharpest = k.row_sharpest.empty() ? 0.0 : *std::max_element(k.row_sharpest.begin(), k.row_sharpest.end());
+  k.sum_up();
   for (int f = 0; f < 2; ++f) k.loose_yarn_forces(state, f);
   k.loose_cell_forces(state);
   if (k.has_history) {

@@ -27,13 +27,21 @@ public:
                          const std::vector<double>& to, double step_before, double step);
 
 private:
+  void add_range(Run range);
+
   const PackedMesh& packed_;
   double damping_;
   Team& team_;
-  Doubles inverse_mass_;                     // 1/tonne; 0 where no node is
-  Doubles mass_;                             // tonne; 0 where no node is
-  std::vector<Run> range_;                   // packed index ranges that hold all nodes
-  std::vector<std::array<double, 8>> sums_;  // of m v0^2, per range and lane
+  Doubles inverse_mass_;  // 1/tonne; 0 where no node is
+  Doubles mass_;          // tonne; 0 where no node is
+  // Packed index ranges that hold all nodes, in chunks that one call moves: chunk k has ranges chunk_[k] to
+  // chunk_[k + 1] - 1. Chunks depend on the mesh alone.
+  std::vector<int> begin_, end_, chunk_;
+  int in_chunk_ = 0;  // nodes of the last chunk
+  struct Sums {
+    double lane[vector_width];
+  };
+  std::vector<Sums> sums_;  // of m v0^2, per chunk and lane
   Outcome outcome_;
 };
 

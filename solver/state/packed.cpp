@@ -6,10 +6,12 @@
 namespace weaveform {
 namespace {
 
-constexpr int vector_width = 8;  // doubles; rows start on a multiple of it
+int whole_vectors(int count) {
+  return (count + vector_width - 1) / vector_width * vector_width;
+}
 
 void index_nodes(const Mesh& mesh, PackedMesh& packed) {
-  packed.stride = (mesh.lattice_size[0] + 1 + vector_width - 1) / vector_width * vector_width;
+  packed.stride = whole_vectors(mesh.lattice_size[0] + 1);
   packed.rows = mesh.lattice_size[1];
   packed.nodes = packed.lattice_nodes();
   std::vector<char> marked(packed.lattice_nodes(), 0);
@@ -58,6 +60,15 @@ void place_yarns(const Mesh& mesh, PackedMesh& packed) {
     loose.jaw.push_back(mesh.yarns.jaw[e]);
     loose.section.push_back(mesh.yarns.section[e] * mesh.yarns.softening[e]);
   }
+  for (auto& loose : packed.loose_yarns) {
+    loose.count = static_cast<int>(loose.length.size());
+    const int whole = whole_vectors(loose.count);
+    loose.node0.resize(whole, 0);
+    loose.node1.resize(whole, 0);
+    loose.length.resize(whole, 1.0);
+    loose.jaw.resize(whole, 0.0);
+    loose.section.resize(whole, 0.0);
+  }
   packed.warp_runs = runs_of(warp, packed.stride, packed.rows);
   packed.weft_runs = runs_of(weft, packed.stride, packed.rows);
 }
@@ -87,6 +98,13 @@ void place_cells(const Mesh& mesh, PackedMesh& packed) {
     loose.weft_coefficient.push_back(weft);
     loose.area.push_back(mesh.cells.area[c]);
   }
+  auto& loose = packed.loose_cells;
+  loose.count = static_cast<int>(loose.area.size());
+  const int whole = whole_vectors(loose.count);
+  loose.node.resize(whole, {});
+  loose.warp_coefficient.resize(whole, {});
+  loose.weft_coefficient.resize(whole, {});
+  loose.area.resize(whole, 0.0);
   packed.cell_runs = runs_of(marked, packed.stride, packed.rows);
 }
 

@@ -33,14 +33,17 @@ struct RowRuns {
 [[nodiscard]] RowRuns padded_runs(const RowRuns& runs);
 [[nodiscard]] Run padded(Run run);
 constexpr double least_square = 1e-12;  // mm^2; far below any element's length squared
+inline constexpr int vector_width = 8;  // doubles; rows start on a multiple of it
 
-// Yarn elements with an end on the outline (mesh.hpp: jaw, softening).
+// Yarn elements with an end on the outline (mesh.hpp: jaw, softening). Filled up to whole vectors with what has no
+// section, of length 1, from node 0 to node 0; likewise the cells below, without area.
 struct LooseYarns {
   std::vector<int> node0, node1;
   std::vector<double> length;   // mm; L0 + jaw
   std::vector<double> jaw;      // mm
   std::vector<double> section;  // mm^2; section * softening
-  [[nodiscard]] int size() const { return static_cast<int>(length.size()); }
+  int count = 0;                // of elements
+  [[nodiscard]] int size() const { return count; }
 };
 
 // Cells that the outline cuts, padded to six nodes (unused entries: coefficient 0 on the first node).
@@ -49,7 +52,8 @@ struct LooseCells {
   std::vector<std::array<int, width>> node;
   std::vector<std::array<double, width>> warp_coefficient, weft_coefficient;  // 1/mm
   std::vector<double> area;                                                   // mm^2
-  [[nodiscard]] int size() const { return static_cast<int>(area.size()); }
+  int count = 0;                                                              // of cells
+  [[nodiscard]] int size() const { return count; }
 };
 
 struct PackedMesh {

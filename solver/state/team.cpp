@@ -68,7 +68,7 @@ Team& alone() {
 }
 
 void Team::run_blocks(int blocks, Call call, const void* body) {
-  if (worker_.empty() || blocks <= 1) {
+  if (worker_.empty() || blocks <= 1 || !together_) {
     for (int block = 0; block < blocks; ++block) call(body, block);
     return;
   }

@@ -38,6 +38,9 @@ public:
         std::addressof(work));
   }
 
+  // False: the caller does all blocks until told otherwise, and the others sleep.
+  void set_together(bool together) { together_ = together; }
+
 private:
   using Call = void (*)(const void* body, int block);
   // The blocks of one thread, [next, end). `next` carries the round in its upper half, so that who comes late takes
@@ -61,6 +64,7 @@ private:
   Call call_ = nullptr;
   const void* body_ = nullptr;
   int blocks_ = 0;
+  bool together_ = true;
   std::mutex error_guard_;
   std::exception_ptr error_;
   int error_block_ = 0;

@@ -5,6 +5,7 @@ set(CHAIN_SOURCES
   chain/bias_extension_test.cpp
   chain/calculix_fibres_test.cpp
   chain/calculix_test.cpp
+  chain/chosen_duration_test.cpp
   chain/consumer_test.cpp
   chain/dic_loop_test.cpp
   chain/drawing_test.cpp

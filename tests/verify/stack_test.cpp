@@ -197,33 +197,33 @@ TEST(Stack, BendsAsItsPliesTogetherWhenFreeAndByTheParallelAxesWhenBonded) {
 }
 
 // The inner ply lies still on a cylinder, the outer one is drawn over it. Both are polygons of the same cells: as the
-// outer one slides by a cell, the ratio goes to and fro about its mean, by 6 %.
+// outer one slides by a cell, the ratio goes to and fro about its mean, by 10 %, so that the mean is one over the way of a
+// whole cell. It begins once tension has built up, after 4 mm of slip; it is the same
+// within 0.2 % for starts that differ by 1e-7 of the duration. Of the 2 %, inertia has 0.6: 1.823, 1.829, 1.832 at 0.12,
+// 0.24, 0.36 s.
 TEST(Stack, CapstanOfTwoPlies) {
-  const double friction = 0.3;
-  Belt inner = make_belt({}, 0.0), outer = make_belt({}, 0.0);
+  const double friction = 0.3, settled = 4.0;
+  Belt inner = make_belt({}, 0.0), outer = make_belt({.pulled = 18.0, .followed = 13.5}, 0.0);
   for (auto& held : inner.scene.grip) held.travel = 0.0;
-  for (auto* belt : {&inner, &outer}) belt->scene.analysis.duration = 0.08;
+  for (auto* belt : {&inner, &outer}) belt->scene.analysis.duration = 0.12;
   StackWorld world({inner.scene, outer.scene}, coulomb(friction), 1, [&](std::size_t k, Mesh& mesh) {
     mesh.nodes.flat_position = mesh.nodes.position;  // it starts draped: chords meet no better
     lay_over(mesh, 50.0 + (0.5 + static_cast<double>(k)) * inner.card.thickness, inner.angle);
   });
-  const auto slip = [&] { return world->ply_contact()->pairs()[0].greatest_slip; };
-  double sum = 0.0;
-  int count = 0, seen = 0;
-  double from = 0.0, before = 0.0;
-  world.run_to(0.42);
+  const double cell = inner.mesh.spacing[0];
+  double sum = 0.0, way = 0.0, before = settled;
+  int seen = 0;
   world.run_to(0.97, [&] {
-    if (++seen % 500 != 0) return;
-    const double now = slip();
-    if (from == 0.0) from = before = now;
-    if (now < before + 0.05 || now > from + inner.mesh.spacing[0]) return;
-    before = now;
+    if (++seen % 20 != 0 || way >= cell) return;
+    const double now = world->ply_contact()->pairs()[0].greatest_slip;
+    if (now <= before) return;
     const auto& force = world->ply(1).holds().whole_forces();
-    sum += std::log(force[1] / force[0]);
-    ++count;
+    sum += (now - before) * std::log(force[1] / force[0]);
+    way += now - before;
+    before = now;
   });
-  ASSERT_GT(before, from + 0.95 * inner.mesh.spacing[0]) << "it should slide by a cell";
-  const double ratio = std::exp(sum / count);
+  ASSERT_GE(way, cell) << "it should slide by a cell";
+  const double ratio = std::exp(sum / way);
   EXPECT_NEAR(ratio, std::exp(friction * inner.angle), 0.02 * ratio);
 }
 

@@ -11,12 +11,15 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/contact/tool_motion_test.cpp
   unit/solver/element/incremental_cell_test.cpp
   unit/solver/element/yarn_law_test.cpp
+  unit/solver/lattice/bands_test.cpp
   unit/solver/lattice/fabric_forces_test.cpp
+  unit/solver/lattice/lanes_test.cpp
   unit/solver/ply/reach_test.cpp
   unit/solver/ply/torn_yarns_test.cpp
   unit/solver/result/fields_test.cpp
   unit/solver/result/frames_test.cpp
   unit/solver/result/history_test.cpp
   unit/solver/state/contact_state_test.cpp
+  unit/solver/state/pace_test.cpp
   unit/solver/state/team_test.cpp
 )

@@ -71,6 +71,7 @@ Scene unusual_scene() {
                  .free = {}}};
   scene.analysis = {.duration = 0.1 + 0.2,  // 0.30000000000000004: needs all 17 digits
                     .loading_speed = {},
+                    .inertia = 0.03,
                     .step_factor = 0.5,
                     .step_bound = StepBound::reached,
                     .bending_every = 3,

@@ -206,6 +206,52 @@ TEST(SharpestCell, IsTheGreatestShearOfAll) {
     }
 }
 
+// Yarn ends, what fills up blocks beside real nodes, and velocities that change lengths.
+TEST(YarnStrains, AreTheLeastAndGreatestOfAllYarnsNowAndAhead) {
+  constexpr double ahead = 1e-3;  // s
+  for (const double yarn_angle : {0.0, 30.0, 45.0}) {
+    FabricPatch fabric("twintex-pw", yarn_angle, {50.0, 70.0});
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> draw(-20.0, 20.0);
+    for (int n = 0; n < fabric.mesh.node_count(); ++n)
+      for (int c = 0; c < 3; ++c) fabric.state.velocity[c][fabric.packed.packed_of_mesh[n]] = draw(generator);
+    fabric.move([&](const Vector3d& x) { return Vector3d(1.01 * x[0], 0.995 * x[1], 0.02 * x[0]); });
+    FabricForces forces(fabric.packed, fabric.card, fabric.laws, fabric.scene.model, fabric.state, alone());
+    forces.set_look_ahead(ahead);
+    forces.compute(fabric.state);
+    std::array<StrainRange, 2> expected;
+    for (int e = 0; e < fabric.mesh.yarn_count(); ++e) {
+      if (fabric.mesh.yarns.softening[e] == 0.0) continue;
+      const auto [a, b] = fabric.mesh.yarns.node[e];
+      double square = 0.0, rate = 0.0;
+      for (int c = 0; c < 3; ++c) {
+        const auto& x = fabric.state.position[c];
+        const auto& v = fabric.state.velocity[c];
+        const int na = fabric.packed.packed_of_mesh[a], nb = fabric.packed.packed_of_mesh[b];
+        square += (x[nb] - x[na]) * (x[nb] - x[na]);
+        rate += (x[nb] - x[na]) * (v[nb] - v[na]);
+      }
+      const double jaw = fabric.mesh.yarns.jaw[e], rest = fabric.mesh.yarns.rest_length[e] + jaw;
+      const double now = (std::sqrt(square) + jaw) / rest;
+      const double squared_ahead =
+          (square + 2.0 * ahead * rate) / (rest * rest);  // the lattice's; jaws: L + ahead dL/dt
+      const bool in_row =
+          fabric.packed.is_lattice_yarn(fabric.mesh.yarns.family[e] == Family::warp ? 0 : 1,
+                                        fabric.packed.packed_of_mesh[a], fabric.packed.packed_of_mesh[b]);
+      const double then = in_row ? std::sqrt(squared_ahead) : now + ahead * rate / std::sqrt(square) / rest;
+      auto& range = expected[fabric.mesh.yarns.family[e] == Family::warp ? 0 : 1];
+      for (const double stretch : {now, then}) {
+        range.least = std::min(range.least, std::log(stretch));
+        range.greatest = std::max(range.greatest, std::log(stretch));
+      }
+    }
+    for (int f = 0; f < 2; ++f) {
+      EXPECT_NEAR(forces.strains()[f].least, expected[f].least, 1e-14) << yarn_angle;
+      EXPECT_NEAR(forces.strains()[f].greatest, expected[f].greatest, 1e-14) << yarn_angle;
+    }
+  }
+}
+
 TEST(HalfLog, AgreesWithTheLibraryToAnUlpOrTwo) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> draw(-20.0, 20.0), around(-0.5, 0.5);

@@ -1,0 +1,61 @@
+#include "solver/state/pace.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace weaveform {
+namespace {
+
+constexpr double trial_time = 4e-3;   // s; a hundred steps of a mesh of thousand cells
+constexpr int trial_steps = 8;        // at least
+constexpr double kept_time = 0.5;     // s; at least,
+constexpr double kept_trials = 50.0;  // and so many times as long as the longer trial took
+constexpr double worth_it = 0.97;     // of the time alone: a core for less is better left to others
+constexpr double hopeless = 3.0;      // times slower: no need to see the trial's end
+
+}  // namespace
+
+void Pace::begin(Phase phase, double now) {
+  phase_ = phase;
+  start_ = now;
+  steps_ = 0;
+}
+
+bool Pace::together(double now) {
+  if (!started_) {
+    started_ = true;
+    begin(Phase::way_at_hand, now);
+    return together_;
+  }
+  ++steps_;
+  const double time = now - start_, step_time = time / steps_;
+  const bool seen = time >= trial_time && steps_ >= trial_steps;
+  switch (phase_) {
+    case Phase::way_at_hand:
+      if (!seen) break;
+      step_time_ = step_time;
+      trial_ = time;
+      together_ = !together_;
+      begin(Phase::other_way, now);
+      break;
+    case Phase::other_way: {
+      if (!seen && !(time >= trial_time && step_time > hopeless * step_time_)) break;
+      const double of_team = together_ ? step_time : step_time_, of_one = together_ ? step_time_ : step_time;
+      together_ = of_team < worth_it * of_one;
+      kept_for_ = std::max(kept_time, kept_trials * std::max(trial_, time));
+      begin(Phase::kept, now);
+      break;
+    }
+    case Phase::kept:
+      if (time >= kept_for_) begin(Phase::way_at_hand, now);
+  }
+  return together_;
+}
+
+void PaceKeeper::next_step() {
+  if (team_.threads() == 1) return;
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  team_.set_together(pace_.together(std::chrono::duration<double>(now).count()));
+}
+
+}  // namespace weaveform

@@ -1,0 +1,61 @@
+// A team works together where that is faster, by the steps' own time.
+#include "solver/state/pace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace weaveform {
+namespace {
+
+// A run whose steps take so long alone and together, s; what share of its time the team worked together.
+struct PacedRun {
+  Pace pace;
+  double now = 100.0, time_together = 0.0;
+  int steps = 0;
+
+  double share_together(double alone, double together, double duration) {
+    const double start = now;
+    time_together = 0.0;
+    while (now < start + duration) {
+      const bool team = pace.together(now);
+      now += team ? together : alone;
+      time_together += team ? together : 0.0;
+      ++steps;
+    }
+    return time_together / (now - start);
+  }
+};
+
+TEST(Pace, KeepsTheTeamTogetherWhereItIsFaster) {
+  for (const double step : {1e-6, 2e-5, 1e-3, 0.2})
+    EXPECT_GT(PacedRun().share_together(step, 0.6 * step, 200.0), 0.9) << step;
+}
+
+TEST(Pace, SetsTheTeamAsideWhereItIsNot) {
+  for (const double step : {1e-6, 2e-5, 1e-3})
+    EXPECT_LT(PacedRun().share_together(step, 1.3 * step, 20.0), 0.03) << step;
+}
+
+TEST(Pace, LosesLittleOnABusyMachine) {
+  PacedRun run;
+  const double duration = 20.0, step = 2e-5;
+  (void)run.share_together(step, 80.0 * step, duration);
+  EXPECT_LT(duration, 1.05 * run.steps * step);
+}
+
+TEST(Pace, FollowsAChangeWithinSeconds) {
+  PacedRun run;
+  EXPECT_GT(run.share_together(2e-5, 1e-5, 5.0), 0.9);
+  (void)run.share_together(2e-5, 4e-5, 1.5);
+  EXPECT_LT(run.share_together(2e-5, 4e-5, 5.0), 0.05);
+  (void)run.share_together(2e-5, 1e-5, 1.5);
+  EXPECT_GT(run.share_together(2e-5, 1e-5, 5.0), 0.9);
+}
+
+TEST(Pace, LeavesACoreToOthersForAGainThatIsNone) {
+  EXPECT_LT(PacedRun().share_together(2e-5, 1.99e-5, 20.0), 0.03);
+}
+
+}  // namespace
+}  // namespace weaveform
