@@ -49,6 +49,11 @@ ContactState Contact::contact_state(const State& state) const {
       node.count = 1;
       node.mass = &mass_[n];
       node.area = &area_[n];
+      double load = 0.0;
+      if (sheared_ != nullptr) {
+        node.swell = &sheared_->swell()[n];
+        node.load = &load;
+      }
       double anchor[3], drag[3] = {0.0, 0.0, 0.0};
       for (int c = 0; c < 3; ++c) {
         node.x[c] = &state.position[c][n];
@@ -60,7 +65,7 @@ ContactState Contact::contact_state(const State& state) const {
       int hint = touch.hint.empty() ? 0 : touch.hint[n];
       Distances found;
       tool_distances(moving.tool, moving.place(), {node.x[0], node.x[1], node.x[2]}, 1, &hint, found);
-      const double here = found.distance[0] - touch.law.offset;
+      const double here = found.distance[0] - offset_at(touch, n);
       gap = std::min(gap, here);
       if (here >= 0.0 || mass_[n] <= 0.0) continue;
       const NodeContact contact = node_contact(touch.law, moving.contact_tool(), found, node);
