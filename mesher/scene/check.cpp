@@ -167,6 +167,8 @@ void check_model(const ModelSpec& model, const toml::table& table, Complaints& c
                                "or leave 'partner' out",
                                name_of(model.partner), name_of(model.yarn)));
   }
+  needs(model.contact_thickness == ContactThickness::sheared, "contact_thickness",
+        model.thickness == Thickness::constant_volume, "thickness = \"constant-volume\"");
   needs(model.compression_modulus.has_value(), "compression_modulus", carries_compression(model),
         "partner = \"compression\"");
   if (model.slack && model.yarn_law != YarnLaw::slack) {
@@ -175,6 +177,19 @@ void check_model(const ModelSpec& model, const toml::table& table, Complaints& c
                                "out",
                                *model.slack, name_of(model.yarn_law)));
   }
+}
+
+// The thickness of contact, in a [model] or [[ply]].
+void check_contact_thickness(const Scene& scene, const ModelSpec& model, const toml::table& table,
+                             Complaints& complaints) {
+  if (model.contact_thickness != ContactThickness::sheared || !table.contains("contact_thickness")) return;
+  const toml::node& place = place_of(table, "contact_thickness");
+  if (scene.drape)
+    complaints.add(place,
+                   "a blank that starts draped lies its card's thickness off its tool, sheared or not; leave [drape] "
+                   "or 'contact_thickness' out");
+  if (scene.tools.empty() && scene.ply.size() < 2)
+    complaints.add(place, "'contact_thickness' is of no use here: nothing touches the fabric; add a tool or a [[ply]]");
 }
 
 constexpr std::size_t most_plies = 100;
@@ -189,6 +204,7 @@ void check_plies(const Scene& scene, const toml::table& root, Complaints& compla
     check_material(ply.fabric.material, *table, complaints);
     check_blank(ply.blank, *table, "[[ply]]", complaints);
     check_model(ply.model, *table, complaints);
+    check_contact_thickness(scene, ply.model, *table, complaints);
   }
   if (scene.ply.empty()) return;
   if (scene.ply.size() > most_plies)
@@ -257,7 +273,10 @@ void check_scene(const Scene& scene, const toml::table& root, Complaints& compla
   check_names(scene.measure, root, "measure", complaints);
   if (const toml::table* table = table_at(root, "blank", 0)) check_blank(scene.blank, *table, "[blank]", complaints);
   check_grips(scene, root, complaints);
-  if (const toml::table* table = table_at(root, "model", 0)) check_model(scene.model, *table, complaints);
+  if (const toml::table* table = table_at(root, "model", 0)) {
+    check_model(scene.model, *table, complaints);
+    check_contact_thickness(scene, scene.model, *table, complaints);
+  }
   check_plies(scene, root, complaints);
   check_stack(scene, root, complaints);
   check_measures(scene, root, complaints);

@@ -60,6 +60,13 @@ constexpr auto choices_of(Thickness) {
       {{Thickness::constant_volume, "constant-volume"}, {Thickness::constant, "constant"}});
 }
 
+// model.contact_thickness: how thick the fabric is where tools and other plies touch it.
+enum class ContactThickness { card, sheared };
+constexpr auto choices_of(ContactThickness) {
+  return std::to_array<Choice<ContactThickness>>(
+      {{ContactThickness::card, "card"}, {ContactThickness::sheared, "sheared"}});
+}
+
 // model.section
 enum class Section { incompressible, constant };
 constexpr auto choices_of(Section) {

@@ -25,6 +25,11 @@ const std::vector<Key<ModelSpec>>& model_keys() {
                                            "paper's stress in increments (Eqs. 8-10), or that in the frame of a side; "
                                            "what they get wrong is in docs/unit_cell.md"}),
       key<&ModelSpec::thickness>({.name = "thickness", .doc = "how a cell's thickness follows its area"}),
+      key<&ModelSpec::contact_thickness>(
+          {.name = "contact_thickness",
+           .doc = "how thick the fabric is where tools and other plies touch it: as the card says, or `sheared`: that "
+                  "over the cosine of the shear angle (constant volume), so that sheared fabric carries the binder; "
+                  "needs `thickness = \"constant-volume\"` and a flat start"}),
       key<&ModelSpec::section>({.name = "section", .doc = "how a yarn's cross-section follows its stretch"}),
       key<&ModelSpec::yarn_law>({.name = "yarn_law",
                                  .doc =

@@ -45,6 +45,7 @@ struct ModelSpec {
   CellElement cell = CellElement::membrane;
   Formulation formulation = Formulation::energy;
   Thickness thickness = Thickness::constant_volume;
+  ContactThickness contact_thickness = ContactThickness::card;
   Section section = Section::incompressible;
   YarnLaw yarn_law = YarnLaw::card;   // linear: the card's linear modulus from zero strain on (decrimping taken out)
   Auto slack;                         // 1; true strain before a yarn carries; auto: ln(1 + crimp) of its family

@@ -16,7 +16,6 @@ namespace {
 
 constexpr int check_interval = 500;         // steps between looks at the stable step and at wrong states
 constexpr int cells_worth_a_thread = 1000;  // below, no second thread brings anything; above, the team's pace finds out
-constexpr double least_step_share = 1e-4;   // of the plies' own at the start; stacks
 constexpr long clock_look = 16;  // steps between looks at the clock, which costs a hundredth of the smallest step
 
 int choose_threads(int wanted, int cells) {
@@ -140,20 +139,7 @@ void Analysis::resume() {
 void Analysis::renew_step() {
   world_.renew_step();
   refuse_long_step();
-  refuse_endless_run();
-}
-
-// A run whose step comes to nothing has no end. Plies alone may come to that, where they are pressed into each other so
-// that single nodes bear what whole cells should.
-void Analysis::refuse_endless_run() const {
-  if (world_.ply_contact() == nullptr) return;
-  double own = world_.ply(0).fabric_step();
-  for (std::size_t k = 1; k < world_.size(); ++k) own = std::min(own, world_.ply(k).fabric_step());
-  if (const double stable = world_.stable_step().step; stable < least_step_share * own)
-    fail(fmt::format(
-        "the stable step has come down to {:.3g} s from the {:.3g} s of the plies alone, set by the {}; load more "
-        "slowly, see whether the tools leave room for the stack, or make blank.coarsening smaller",
-        stable, own, world_.stable_step().set_by));
+  if (const std::string found = world_.endless_run(); !found.empty()) fail(found);
 }
 
 void Analysis::refuse_long_step() const {

@@ -44,7 +44,6 @@ private:
   void resume();
   void renew_step();
   void refuse_long_step() const;
-  void refuse_endless_run() const;
   void check_state();
   void look_around();
   void open_outputs();

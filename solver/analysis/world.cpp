@@ -1,5 +1,7 @@
 #include "solver/analysis/world.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,7 @@ namespace {
 // quarter of it.
 constexpr std::int64_t settling_steps = 500;
 constexpr double settling_share = 0.25;
+constexpr double least_step_share = 1e-4;  // of the plies' own at the start: a run of a shorter one has no end
 
 // What contact with other plies means for a ply's stable step.
 class StackedPly : public Actor {
@@ -36,7 +39,8 @@ World::World(const WorldSetup& setup)
     : scene_(setup.scene),
       duration_(setup.loading.duration),
       longest_step_(setup.longest_step),
-      parts_(setup.plies.front().part != nullptr ? setup.plies.front().part->mesh.symmetry.parts() : 1) {
+      parts_(setup.plies.front().part != nullptr ? setup.plies.front().part->mesh.symmetry.parts() : 1),
+      team_(setup.team) {
   for (const auto& input : setup.plies)
     plies_.push_back(std::make_unique<Ply>(PlySetup{.whole = input.whole,
                                                     .part = input.part,
@@ -45,6 +49,11 @@ World::World(const WorldSetup& setup)
                                                     .duration = duration_,
                                                     .damping = setup.loading.damping,
                                                     .team = setup.team}));
+  for (std::size_t k = 0; k < plies_.size(); ++k)
+    sheared_.push_back(
+        plies_[k]->model().contact_thickness == ContactThickness::sheared
+            ? std::make_unique<ShearedThickness>(plies_[k]->mesh(), plies_[k]->packed(), plies_[k]->state())
+            : nullptr);
   if (setup.pair_law && plies_.size() > 1) make_ply_contact(setup);
   if (!setup.tools.empty()) make_tools(setup);
 }
@@ -52,6 +61,8 @@ World::World(const WorldSetup& setup)
 void World::make_ply_contact(const WorldSetup& setup) {
   double step = std::numeric_limits<double>::infinity();
   std::vector<Ply*> plies;
+  std::vector<ShearedThickness*> sheared;
+  for (auto& one : sheared_) sheared.push_back(one.get());
   for (auto& ply : plies_) {
     plies.push_back(ply.get());
     step = std::min(step, ply->fabric_step());
@@ -60,6 +71,7 @@ void World::make_ply_contact(const WorldSetup& setup) {
                                                               .names = setup.ply_names,
                                                               .law = setup.pair_law,
                                                               .frequency = contact_frequency(scene_.analysis, step),
+                                                              .sheared = sheared,
                                                               .team = setup.team});
   for (std::size_t k = 0; k < plies_.size(); ++k)
     plies_[k]->add(std::make_unique<StackedPly>(*ply_contact_, static_cast<int>(k)));
@@ -83,7 +95,7 @@ void World::make_tools(const WorldSetup& setup) {
   for (std::size_t k = 0; k < plies_.size(); ++k) {
     Ply& ply = *plies_[k];
     auto contact = std::make_unique<Contact>(ply.mesh(), ply.packed(), ply.state(), sprung[k], *tools_, setup.team,
-                                             setup.plies[k].tools);
+                                             setup.plies[k].tools, sheared_[k].get());
     contacts_.push_back(contact.get());
     loads_.push_back(&contact->loads());
     ply.add(std::move(contact));
@@ -123,6 +135,19 @@ void World::renew_step() {
   }
 }
 
+// Plies may come to that where they are pressed into each other so that single nodes bear what whole cells should.
+std::string World::endless_run() const {
+  if (!ply_contact_) return "";
+  double own = std::numeric_limits<double>::infinity();
+  for (const auto& ply : plies_) own = std::min(own, ply->fabric_step());
+  if (stable_.step >= least_step_share * own) return "";
+  return fmt::format(
+      "the stable step has come down to {:.3g} s from the {:.3g} s of the plies alone, set by the {}; load more "
+      "slowly, "
+      "see whether the tools leave room for the stack, or make blank.coarsening smaller",
+      stable_.step, own, stable_.set_by);
+}
+
 bool World::passes_reach() {
   bool passes = ply_contact_ && ply_contact_->passes_bound();
   for (auto& ply : plies_) passes = ply->passes_reach() || passes;  // each notes its strains
@@ -131,8 +156,12 @@ bool World::passes_reach() {
 
 void World::compute_forces() {
   if (tools_) tools_->advance(time());
+  for (std::size_t k = 0; k < plies_.size(); ++k)
+    if (sheared_[k]) sheared_[k]->look(plies_[k]->state(), team_);
   for (auto& ply : plies_) ply->compute_own_forces(step_);
   if (ply_contact_) ply_contact_->add_forces();
+  for (std::size_t k = 0; k < plies_.size(); ++k)
+    if (sheared_[k]) sheared_[k]->add_forces(plies_[k]->state());
   for (auto& ply : plies_) ply->give_on_forces();
   if (!tools_) return;
   tools_->gather(loads_);
@@ -189,6 +218,8 @@ void World::archive(Archive& archive) {
   for (double* energy : {&balance_.internal, &balance_.kinetic, &balance_.damping, &balance_.external,
                          &balance_.bending, &balance_.hourglass, &balance_.start, &balance_.greatest})
     archive.number("an energy", *energy);
+  for (auto& sheared : sheared_)
+    if (sheared) sheared->archive(archive);
   if (ply_contact_) ply_contact_->archive(archive);
   if (tools_) tools_->archive(archive);
   for (auto& ply : plies_) {

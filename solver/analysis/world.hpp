@@ -15,6 +15,7 @@
 #include "solver/contact/contact.hpp"
 #include "solver/contact/ply_contact.hpp"
 #include "solver/contact/rigid_tools.hpp"
+#include "solver/contact/sheared_thickness.hpp"
 #include "solver/ply/ply.hpp"
 
 namespace weaveform {
@@ -67,6 +68,9 @@ public:
   // The longest stable step of all plies and tools, with what yarns have reached.
   void renew_step();
   [[nodiscard]] const StableStep& stable_step() const { return stable_; }
+  // Of plies that touch each other: what makes the stable step come to nothing, so that the run has no end, in words; ""
+  // where it does not.
+  [[nodiscard]] std::string endless_run() const;
   [[nodiscard]] double step() const { return step_; }                    // s; the next
   [[nodiscard]] double smallest_step() const { return smallest_step_; }  // s; so far
   [[nodiscard]] const std::string& step_set_by() const { return step_set_by_; }
@@ -96,6 +100,7 @@ private:
   void close_balance();
 
   std::vector<std::unique_ptr<Ply>> plies_;
+  std::vector<std::unique_ptr<ShearedThickness>> sheared_;  // of each ply, null where it has the card's thickness
   std::unique_ptr<PlyContact> ply_contact_;
   std::unique_ptr<RigidTools> tools_;
   std::vector<Contact*> contacts_;                   // of each ply, which owns it
@@ -103,6 +108,7 @@ private:
   const Scene& scene_;
   double duration_, longest_step_;  // s
   int parts_;
+  Team& team_;
   StableStep stable_;
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
   double viscous_time_ = 0.0;                                    // s; beta of yarn.hpp

@@ -36,4 +36,13 @@ TieWeights tie_weights(double share) {
   return {(1.0 + 2.0 * l) * (1.0 + l), (1.0 + 2.0 * l) * l};
 }
 
+void add_packed_bound(const Mesh& mesh, const PackedMesh& packed, const Doubles& sum, std::vector<double>& bound) {
+  for (int n = 0; n < mesh.node_count(); ++n) bound[n] += sum[packed.packed_of_mesh[n]];
+  for (const auto& tie : mesh.tie) {
+    const TieWeights weight = tie_weights(tie.share);
+    bound[tie.to[0]] += weight.first * sum[packed.packed_of_mesh[tie.node]];
+    bound[tie.to[1]] += weight.second * sum[packed.packed_of_mesh[tie.node]];
+  }
+}
+
 }  // namespace weaveform

@@ -33,4 +33,7 @@ struct TieWeights {
 };
 [[nodiscard]] TieWeights tie_weights(double share);
 
+// Adds bounds per packed node (N/mm) to those per mesh node, and those of tied nodes to what they follow.
+void add_packed_bound(const Mesh& mesh, const PackedMesh& packed, const Doubles& sum, std::vector<double>& bound);
+
 }  // namespace weaveform

@@ -7,7 +7,9 @@ WEAVEFORM_CHOOSE_LOOPS(ContactLoops, contact_loops)
 
 ContactSums contact_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances, double time,
                            const ContactNodes& nodes) {
-  return chosen_contact_loops().contact_forces(law, tool, distances, time, nodes);
+  const auto& forces =
+      nodes.swell == nullptr ? chosen_contact_loops().contact_forces : chosen_contact_loops().swollen_contact_forces;
+  return forces(law, tool, distances, time, nodes);
 }
 
 void reset_anchors(const ContactTool& tool, const ContactNodes& nodes) {
@@ -15,7 +17,9 @@ void reset_anchors(const ContactTool& tool, const ContactNodes& nodes) {
 }
 
 double least_gap(const Distances& distances, double offset, const ContactNodes& nodes) {
-  return chosen_contact_loops().least_gap(distances, offset, nodes);
+  const auto& gap =
+      nodes.swell == nullptr ? chosen_contact_loops().least_gap : chosen_contact_loops().swollen_least_gap;
+  return gap(distances, offset, nodes);
 }
 
 double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes) {

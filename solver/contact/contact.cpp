@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "solver/constraint/ties.hpp"
 #include "solver/contact/node_area.hpp"
 
 namespace weaveform {
@@ -27,10 +28,12 @@ double contact_frequency(const AnalysisSpec& analysis, double fabric_step) {
 }
 
 Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start, const SprungPly& ply,
-                 RigidTools& tools, Team& team, const std::vector<Tool>* own)
-    : packed_(packed),
+                 RigidTools& tools, Team& team, const std::vector<Tool>* own, ShearedThickness* sheared)
+    : mesh_(mesh),
+      packed_(packed),
       team_(team),
       tools_(tools),
+      sheared_(sheared),
       thickness_(mesh.thickness),
       frequency_(ply.frequency),
       mass_(packed.nodes, 0.0),
@@ -41,6 +44,10 @@ Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start,
     mass_[p] = packed.mass[p];
     mesh_of_packed_[p] = mesh.shown_node(n);
   }
+  if (ply.curved_after && sheared != nullptr)
+    throw InputError(
+        "analysis.curved_contact does not know of thickness that grows with shear; leave it out, or set "
+        "model.contact_thickness back");
   if (ply.curved_after) curved_.emplace(mesh, packed, *ply.curved_after);
   for (std::size_t t = 0; t < tools.tools().size(); ++t) {
     const Tool& tool = tools.tools()[t].tool;
@@ -85,7 +92,6 @@ void Contact::refuse_penetration(const State& start) const {
   std::vector<std::string> complaints;
   for (std::size_t t = 0; t < touch_.size(); ++t) {
     const Tool& tool = tools_.tools()[t].tool;
-    const double offset = touch_[t].law.offset;
     double deepest = start_tolerance;
     int node = -1;
     for (int n = 0; n < packed_.nodes; ++n) {
@@ -94,7 +100,7 @@ void Contact::refuse_penetration(const State& start) const {
       int hint = 0;
       tool_distances(tool, tool.start, {&start.position[0][n], &start.position[1][n], &start.position[2][n]}, 1, &hint,
                      found);
-      const double depth = offset - found.distance[0];
+      const double depth = offset_at(touch_[t], n) - found.distance[0];
       if (depth > deepest) {
         deepest = depth;
         node = n;
@@ -105,7 +111,7 @@ void Contact::refuse_penetration(const State& start) const {
           "[tools.{}]: node {} at ({:.6g}, {:.6g}, {:.6g}) mm starts {:.4g} mm inside it (fabric's half thickness "
           "{:.4g} mm included); move the tool's position or the blank's",
           tool.name, mesh_of_packed_[node], start.position[0][node], start.position[1][node], start.position[2][node],
-          deepest, offset));
+          deepest, offset_at(touch_[t], node)));
   }
   if (!complaints.empty()) throw InputError(complaints);
 }
@@ -134,6 +140,10 @@ ContactNodes Contact::block_nodes(int block, Touch& touch, State& state) const {
     nodes.anchor[c] = touch.anchor[c].data() + first;
     nodes.drag[c] = touch.drag[c].data() + first;
   }
+  if (sheared_ != nullptr) {
+    nodes.swell = sheared_->swell().data() + first;
+    nodes.load = sheared_->load().data() + first;
+  }
   return nodes;
 }
 
@@ -142,14 +152,14 @@ ContactNodes Contact::block_nodes(int block, Touch& touch, State& state) const {
 void Contact::triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
                                  Distances& distances) const {
   constexpr double rounding = 1e-9;  // mm
-  const double near = touch.law.offset + rounding + (curved_ ? curved_->greatest_lift() : 0.0);
+  const double near = rounding + (curved_ ? curved_->greatest_lift() : 0.0);
   for (int n = 0; n < nodes.count; ++n) {
     const int node = first + n;
     const Vec3 moved = {nodes.x[0][n] - touch.measured_at[0][node], nodes.x[1][n] - touch.measured_at[1][node],
                         nodes.x[2][n] - touch.measured_at[2][node]};
     const double bound =
         touch.far[node] - tool.way - std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
-    if (bound > near) {
+    if (bound > offset_at(touch, node) + near) {
       distances.distance[n] = bound;
       for (int c = 0; c < 3; ++c) distances.normal[c][n] = c == 2 ? 1.0 : 0.0;
       continue;
@@ -182,6 +192,7 @@ void Contact::treat_block(int block, State& state, double step) {
     if (was_clear) {
       if (speed < 0.0) speed = greatest_speed({0.0, 0.0, 0.0}, nodes);
       clearance -= (speed * step + std::abs(moving.motion.state().way)) * rounding;
+      if (sheared_ != nullptr) clearance -= touch.law.offset * sheared_->greatest_rise() * rounding;
     }
     touch.measured[block] = 0;
     if (clearance > 0.0) continue;
@@ -243,7 +254,7 @@ void Contact::check(std::size_t number, const State& state) const {
     tool_distances(moving.tool, moving.place(), {&state.position[0][n], &state.position[1][n], &state.position[2][n]},
                    1, &hint, found);
     const double lift = curved_ ? CurvedContact::last_lift(touch_[number].curved, n) : 0.0;
-    if (mass_[n] == 0.0 || touch_[number].law.offset + lift - found.distance[0] < deepest * (1.0 - 1e-9)) continue;
+    if (mass_[n] == 0.0 || offset_at(touch_[number], n) + lift - found.distance[0] < deepest * (1.0 - 1e-9)) continue;
     throw PhysicsError(fmt::format(
         "at t = {:.4g} s, step {}: node {} at ({:.6g}, {:.6g}, {:.6g}) mm has gone {:.4g} mm into tool '{}', more than "
         "the fabric's thickness ({:.4g} mm); load more slowly, see whether the tools can close, or, where friction or "
@@ -256,7 +267,7 @@ void Contact::check(std::size_t number, const State& state) const {
 // A node may touch two tools at once (binder and die). Damping that acts on velocities half a step behind shortens the
 // stable step like a stiffness: (sqrt(1 + z^2) - z) with z = c/(2 m w) is that of w^2 + c w/m to first order; w is the
 // greatest of fabric and contact.
-void Contact::add_stiffness_bound(const std::vector<Vec3>& /*position*/, double fabric_frequency,
+void Contact::add_stiffness_bound(const std::vector<Vec3>& position, double fabric_frequency,
                                   std::vector<double>& bound) const {
   const double greatest = std::hypot(fabric_frequency, std::sqrt(2.0) * frequency_);
   std::vector<double> rates;  // 1/s^2
@@ -265,7 +276,27 @@ void Contact::add_stiffness_bound(const std::vector<Vec3>& /*position*/, double 
                     touch_[k].law.damping_rate * greatest);
   std::sort(rates.rbegin(), rates.rend());
   const double rate = (curved_ ? curved_stiffness : 1.0) * (rates.front() + (rates.size() > 1 ? rates[1] : 0.0));
+  if (sheared_ != nullptr) return add_swollen_bound(position, rate, bound);
   for (std::size_t n = 0; n < bound.size(); ++n) bound[n] += rate * mass_[packed_.packed_of_mesh[n]];
+}
+
+// The springs hang on the ends of a and b too, through the thickness: k (x + offset sum v_a x_a)^2 / 2.
+void Contact::add_swollen_bound(const std::vector<Vec3>& position, double rate, std::vector<double>& bound) const {
+  double offset = 0.0;  // mm
+  for (const auto& touch : touch_) offset = std::max(offset, touch.law.offset);
+  Components at;
+  for (std::size_t c = 0; c < 3; ++c) {
+    at[c].assign(packed_.nodes, 0.0);
+    for (std::size_t n = 0; n < position.size(); ++n) at[c][packed_.packed_of_mesh[n]] = position[n][c];
+  }
+  Doubles sum(packed_.nodes, 0.0);
+  for (const int n : packed_.packed_of_mesh) {
+    if (mass_[n] == 0.0) continue;
+    const double whole = rate * mass_[n] * (1.0 + offset * sheared_->lever(n, at));
+    sum[n] += whole;
+    sheared_->spread(n, at, offset, whole, sum);
+  }
+  add_packed_bound(mesh_, packed_, sum, bound);
 }
 
 void Contact::archive(Archive& archive) {

@@ -8,6 +8,9 @@
 // least gap when last measured less the greatest way of its nodes and of the tool since. A distance changes no faster
 // than points move, so a block with clearance left touches nothing, and nothing more is computed.
 //
+// A ply that thickens as it shears (model.contact_thickness, sheared_thickness.hpp) has its faces w times as far from its
+// middle plane, and blocks have less clearance by what w has grown.
+//
 // Blocks are summed in order: the same bits for any number of threads.
 #pragma once
 
@@ -20,6 +23,7 @@
 #include "solver/contact/contact_kernel.hpp"
 #include "solver/contact/curved_contact.hpp"
 #include "solver/contact/rigid_tools.hpp"
+#include "solver/contact/sheared_thickness.hpp"
 #include "solver/state/actor.hpp"
 #include "solver/state/contact_state.hpp"
 #include "solver/state/packed.hpp"
@@ -40,10 +44,10 @@ inline constexpr double contact_stiffness_reached = 0.5;
 
 class Contact : public Actor {
 public:
-  // `ply` says how it hangs on its springs, `own` the tools with this ply's distance from them where it is not theirs.
-  // Throws InputError when the fabric starts inside a tool.
+  // `ply` says how it hangs on its springs, `own` the tools with this ply's distance from them where it is not theirs,
+  // `sheared` how it thickens (null: not at all). Throws InputError when the fabric starts inside a tool.
   Contact(const Mesh& mesh, const PackedMesh& packed, const State& start, const SprungPly& ply, RigidTools& tools,
-          Team& team, const std::vector<Tool>* own = nullptr);
+          Team& team, const std::vector<Tool>* own = nullptr, ShearedThickness* sheared = nullptr);
 
   [[nodiscard]] std::string name() const override { return "contact"; }
   // The tools stand at state.time. Throws PhysicsError when a node has gone through a tool's surface by more than the
@@ -83,10 +87,16 @@ private:
   void check(std::size_t tool, const State& state) const;
   [[nodiscard]] ContactNodes block_nodes(int block, Touch& touch, State& state) const;
   [[nodiscard]] int block_count() const;
+  void add_swollen_bound(const std::vector<Vec3>& position, double rate, std::vector<double>& bound) const;
+  [[nodiscard]] double offset_at(const Touch& touch, int packed) const {  // mm
+    return sheared_ == nullptr ? touch.law.offset : touch.law.offset * sheared_->swell()[packed];
+  }
 
+  const Mesh& mesh_;
   const PackedMesh& packed_;
   Team& team_;
   RigidTools& tools_;
+  ShearedThickness* sheared_;
   double thickness_;  // mm
   double frequency_;  // 1/s; omega of the contact
   Doubles mass_;      // tonne; 0 where no node is

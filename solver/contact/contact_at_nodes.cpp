@@ -75,6 +75,11 @@ ContactState Contact::contact_state(const State& state) const {
       node.count = 1;
       node.mass = &mass_[n];
       node.area = &area_[n];
+      double load = 0.0;
+      if (sheared_ != nullptr) {
+        node.swell = &sheared_->swell()[n];
+        node.load = &load;
+      }
       double anchor[3], drag[3] = {0.0, 0.0, 0.0};
       for (int c = 0; c < 3; ++c) {
         node.x[c] = &state.position[c][n];
@@ -92,7 +97,7 @@ ContactState Contact::contact_state(const State& state) const {
         curved_->find_turns(state, n, 1, turns);
         curved_->lift_block(turns, state.time, n, 1, touch.law.friction, found, terms);
       }
-      const double here = found.distance[0] - touch.law.offset;
+      const double here = found.distance[0] - offset_at(touch, n);
       gap = std::min(gap, here);
       if (here >= 0.0 || mass_[n] <= 0.0) continue;
       const NodeContact contact = curved_ ? curved_node_contact(touch.law, moving.contact_tool(), found, terms, node)

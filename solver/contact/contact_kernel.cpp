@@ -7,18 +7,19 @@ namespace weaveform::WEAVEFORM_SET {
 namespace {
 
 struct Contribution {
-  double force[3], area, energy, friction_work, damping_work;
+  double force[3], area, energy, friction_work, damping_work, elastic;
 };
 
 // One node and one tool: the law of the header. `d` is the way from the anchor, `v` the speed relative to the tool;
 // `stretch` becomes what the tangential spring keeps, `drag` goes from the dampers' force at the step before to that of
-// now. `inverse_softening` spares a division.
-[[gnu::always_inline]] inline Contribution contact_force(const ContactLaw& law, double inverse_softening, double mass,
-                                                         double area, double distance, const double (&n)[3],
-                                                         const double (&d)[3], const double (&v)[3], double time,
-                                                         double (&stretch)[3], double (&drag)[3]) {
+// now. `offset` is the node's. `inverse_softening` spares a division.
+[[gnu::always_inline]] inline Contribution contact_force(const ContactLaw& law, double offset, double inverse_softening,
+                                                         double mass, double area, double distance,
+                                                         const double (&n)[3], const double (&d)[3],
+                                                         const double (&v)[3], double time, double (&stretch)[3],
+                                                         double (&drag)[3]) {
   const double k = law.frequency2 * mass, c = law.damping_rate * mass;
-  const double gap = distance - law.offset;
+  const double gap = distance - offset;
   const double p = gap < 0.0 ? -gap : 0.0;
   const double soft = p < law.softening ? p : law.softening, engaged = soft * inverse_softening;
   const double elastic = k * engaged * (p - 0.5 * soft);
@@ -60,9 +61,11 @@ struct Contribution {
   out.friction_work = 0.5 * k * (1.0 - cut) * ((1.0 + cut) * t_square - time * t_w) -
                       0.5 * time * ((along0 + now0) * w0 + (along1 + now1) * w1 + (along2 + now2) * w2);
   out.damping_work = 0.5 * time * (drag_before + drag_now) * approach;
+  out.elastic = elastic;
   return out;
 }
 
+template <bool swollen>
 ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_given, const Distances& distances,
                            double time, const ContactNodes& nodes_given) {
   const ContactLaw law = law_given;
@@ -79,8 +82,11 @@ ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_
     const double v[3] = {nodes.v[0][i] - tool.velocity[0], nodes.v[1][i] - tool.velocity[1],
                          nodes.v[2][i] - tool.velocity[2]};
     double stretch[3], drag[3] = {nodes.drag[0][i], nodes.drag[1][i], nodes.drag[2][i]};
-    const Contribution c =
-        contact_force(law, inverse, nodes.mass[i], nodes.area[i], distances.distance[i], n, d, v, time, stretch, drag);
+    double offset = law.offset;
+    if constexpr (swollen) offset *= nodes.swell[i];
+    const Contribution c = contact_force(law, offset, inverse, nodes.mass[i], nodes.area[i], distances.distance[i], n,
+                                         d, v, time, stretch, drag);
+    if constexpr (swollen) nodes.load[i] += law.offset * c.elastic;
     nodes.anchor[0][i] = y[0] - stretch[0];
     nodes.anchor[1][i] = y[1] - stretch[1];
     nodes.anchor[2][i] = y[2] - stretch[2];
@@ -113,13 +119,16 @@ void reset_anchors(const ContactTool& tool, const ContactNodes& nodes) {
     }
 }
 
+template <bool swollen>
 double least_gap(const Distances& distances, double offset, const ContactNodes& nodes) {
   constexpr double far = 1e300;  // mm
-  const double* mass = nodes.mass;
+  const double *mass = nodes.mass, *swell = nodes.swell;
   double least = far;
 #pragma omp simd reduction(min : least)
   for (int i = 0; i < nodes.count; ++i) {
-    const double gap = mass[i] > 0.0 ? distances.distance[i] - offset : far;
+    double here = offset;
+    if constexpr (swollen) here *= swell[i];
+    const double gap = mass[i] > 0.0 ? distances.distance[i] - here : far;
     least = gap < least ? gap : least;
   }
   return least;
@@ -141,9 +150,11 @@ double greatest_speed(const std::array<double, 3>& reference, const ContactNodes
 }  // namespace
 
 extern const ContactLoops contact_loops;
-const ContactLoops contact_loops = {.contact_forces = contact_forces,
+const ContactLoops contact_loops = {.contact_forces = contact_forces<false>,
+                                    .swollen_contact_forces = contact_forces<true>,
                                     .reset_anchors = reset_anchors,
-                                    .least_gap = least_gap,
+                                    .least_gap = least_gap<false>,
+                                    .swollen_least_gap = least_gap<true>,
                                     .greatest_speed = greatest_speed};
 
 }  // namespace weaveform::WEAVEFORM_SET

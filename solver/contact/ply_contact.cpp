@@ -29,10 +29,15 @@ std::string name_of_ply(const PlyContactSetup& setup, std::size_t k) {
 
 PlyContact::PlyContact(const PlyContactSetup& setup) : parts_(std::make_unique<Parts>(setup.team)) {
   Parts& parts = *parts_;
+  const auto sheared = [&](std::size_t k) { return k < setup.sheared.size() ? setup.sheared[k] : nullptr; };
   for (std::size_t k = 0; k < setup.plies.size(); ++k) {
-    parts.face.emplace_back(*setup.plies[k], name_of_ply(setup, k));
+    parts.face.emplace_back(*setup.plies[k], name_of_ply(setup, k), sheared(k));
+    parts.swollen = parts.swollen || sheared(k) != nullptr;
     const int blocks = static_cast<int>(parts.face.back().blocks().size()),
               chunks = std::clamp(parts.face.back().lanes() / lanes_in_chunk, 1, most_chunks);
+    std::vector<int> first_blocks;
+    for (int c = 1; c < chunks; ++c) first_blocks.push_back(static_cast<int>(static_cast<long>(blocks) * c / chunks));
+    parts.face.back().set_chunks(first_blocks);
     for (int c = 0; c < chunks; ++c)
       parts.chunk.push_back({.ply = static_cast<int>(k),
                              .first_block = static_cast<int>(static_cast<long>(blocks) * c / chunks),
@@ -40,6 +45,8 @@ PlyContact::PlyContact(const PlyContactSetup& setup) : parts_(std::make_unique<P
                              .pass = {},
                              .back = {}});
   }
+  if (parts.swollen)
+    for (auto& face : parts.face) face.make_swell();
   std::vector<std::string> complaints;
   const int plies = static_cast<int>(setup.plies.size());
   for (int lower = 0; lower < plies; ++lower)
@@ -67,9 +74,9 @@ void PlyContact::Parts::make_pair(int lower, int upper, const PairLaw& law, doub
   make_tables(law, below.touching(), above.touching(), frequency, made.tables);
   made.pass.reserve(2);
   made.pass.emplace_back(below, above, pass_law(law, made.tables, below.touching(), above.touching(), false, frequency),
-                         frequency);
+                         frequency, swollen);
   made.pass.emplace_back(above, below, pass_law(law, made.tables, above.touching(), below.touching(), true, frequency),
-                         frequency);
+                         frequency, swollen);
 }
 
 // Whose passes a chunk has, and who gives to which part of which ply.
@@ -161,7 +168,10 @@ void PlyContact::Parts::count_ways(double step_made) {
   });
   std::vector<double> of_ply(face.size(), 0.0);
   for (std::size_t c = 0; c < chunk.size(); ++c) of_ply[chunk[c].ply] = std::max(of_ply[chunk[c].ply], speed[c]);
-  for (std::size_t k = 0; k < face.size(); ++k) face[k].way += of_ply[k] * step_made * rounding;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    face[k].way += of_ply[k] * step_made * rounding;
+    if (face[k].thickens()) face[k].way += 0.5 * face[k].touching().thickness * face[k].sheared()->greatest_rise();
+  }
 }
 
 // A chunk writes forces of its own nodes and its own lists.
@@ -174,7 +184,7 @@ void PlyContact::Parts::look(double inverse_time) {
     BlockFrame frame;
     for (int b = its.first_block; b < its.end_block; ++b) {
       bool with_frame = false;
-      face[its.ply].clear_levers(b);
+      face[its.ply].begin_levers(b);
       for (const int p : awake) {
         if (!pass(p).is_near(b)) {
           pass(p).pass_over(b);
@@ -184,6 +194,7 @@ void PlyContact::Parts::look(double inverse_time) {
         with_frame = true;
         pass(p).look(b, frame, inverse_time, its.back[p]);
       }
+      face[its.ply].end_levers(b);
     }
   });
 }
@@ -203,6 +214,9 @@ void PlyContact::Parts::fold() {
         back.touched[s] = 0;
         const int first = s * ply_segment, count = std::min(ply_segment, face[ply].nodes() - first);
         double* const into[3] = {force[0] + first, force[1] + first, force[2] + first};
+        if (face[ply].thickens())
+          loops.fold_loads(count, back.force.data() + 4 * static_cast<std::size_t>(first),
+                           face[ply].load().data() + first);
         loops.fold(count, back.force.data() + 4 * static_cast<std::size_t>(first), into);
       }
     }
@@ -264,7 +278,6 @@ void PlyContact::renew_bound() {
 
 void PlyContact::add_stiffness_bound(int ply, double fabric_frequency, std::vector<double>& bound) const {
   const PlyFace& face = parts_->face[ply];
-  const Mesh& mesh = face.ply().mesh();
   Doubles sum(face.nodes(), 0.0), others;
   for (const auto& pair : parts_->pair) {
     if (!pair.bounded || !pair.awake() || (pair.reading.lower != ply && pair.reading.upper != ply)) continue;
@@ -274,13 +287,7 @@ void PlyContact::add_stiffness_bound(int ply, double fabric_frequency, std::vect
       pass.add_stiffness_bound(fabric_frequency, pair.tables.stiffest, is_own ? sum : others, is_own ? others : sum);
     }
   }
-  const auto& packed_of_mesh = face.ply().packed().packed_of_mesh;
-  for (int n = 0; n < mesh.node_count(); ++n) bound[n] += sum[packed_of_mesh[n]];
-  for (const auto& tie : mesh.tie) {
-    const TieWeights weight = tie_weights(tie.share);
-    bound[tie.to[0]] += weight.first * sum[packed_of_mesh[tie.node]];
-    bound[tie.to[1]] += weight.second * sum[packed_of_mesh[tie.node]];
-  }
+  add_packed_bound(face.ply().mesh(), face.ply().packed(), sum, bound);
 }
 
 void PlyContact::archive(Archive& archive) {

@@ -23,6 +23,7 @@
 
 #include "core/vector/vector.hpp"
 #include "mesher/scene/scene.hpp"
+#include "solver/contact/sheared_thickness.hpp"
 #include "solver/ply/ply.hpp"
 #include "solver/state/actor.hpp"
 #include "solver/state/archive.hpp"
@@ -50,6 +51,9 @@ struct PlyContactSetup {
   std::vector<std::string> names;                    // for messages; none: "ply 1", ...
   std::function<PairLaw(int lower, int upper)> law;  // of each pair, neighbours or not; numbers from 0
   double frequency = 0.0;                            // 1/s; omega of the springs (contact_frequency, contact.hpp)
+  // How each ply thickens as it shears, null where it does not; none: no ply does. Their owner has them look before
+  // add_forces and adds their forces after it (sheared_thickness.hpp).
+  std::vector<ShearedThickness*> sheared = {};
   Team& team;
 };
 

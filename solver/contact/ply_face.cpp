@@ -6,27 +6,16 @@
 #include "solver/contact/node_area.hpp"
 
 namespace weaveform {
-namespace {
 
-// a + s M b and b + s M a, M the mirroring.
-std::array<Vec3, 2> with_images(const std::array<Vec3, 2>& of, const Vec3& normal, double swaps) {
-  const SymmetryPlane plane{{0.0, 0.0, 0.0}, normal};
-  return {plus(of[0], scaled(mirrored_vector(of[1], plane), swaps)),
-          plus(of[1], scaled(mirrored_vector(of[0], plane), swaps))};
-}
-
-}  // namespace
-
-PlyFace::PlyFace(Ply& ply, std::string name)
+PlyFace::PlyFace(Ply& ply, std::string name, ShearedThickness* sheared)
     : ply_(ply),
       name_(std::move(name)),
+      sheared_(sheared),
       surface_(ply.mesh(), ply.packed()),
-      arms_(node_arms(ply.mesh(), ply.packed())),
-      flat_(ply.packed().nodes),
+      arms_(ply.mesh(), ply.packed(), ply.state().position, node_arms(ply.mesh(), ply.packed())),
       mesh_of_packed_(ply.packed().nodes, -1) {
   const Mesh& mesh = ply.mesh();
   for (int n = 0; n < mesh.node_count(); ++n) mesh_of_packed_[ply.packed().packed_of_mesh[n]] = mesh.shown_node(n);
-  find_planes();
   make_blocks();
   find_irregular();
   double mass = 0.0, area = 0.0;
@@ -40,25 +29,10 @@ PlyFace::PlyFace(Ply& ply, std::string name)
   touching_.node_mass = touching_.density * mesh.spacing[0] * mesh.spacing[1];
 }
 
-// Blanks that are mirrored start flat, their normal up.
-void PlyFace::find_planes() {
-  constexpr double a_quarter = 0.25;  // of the square: yarns run along a plane, across it, or at 45 deg to it
-  const Mesh& mesh = ply_.mesh();
-  for (std::size_t k = 0; k < mesh.symmetry.plane.size(); ++k)
-    for (const int n : mesh.symmetry.on_plane[k]) {
-      const int packed = ply_.packed().packed_of_mesh[n];
-      const SymmetryPlane& plane = mesh.symmetry.plane[k];
-      const auto [a, b] = between_arms(packed);
-      const bool warp = dot(a, a) > 0.0;
-      const Vec3& arm = warp ? a : b;
-      const double across = dot(arm, plane.normal), part = across * across / dot(arm, arm);
-      double swaps = 0.0;
-      if (part > a_quarter && part < 1.0 - a_quarter) {
-        const Vec3 image = mirrored_vector(arm, plane);
-        swaps = (warp ? cross(arm, image) : cross(image, arm))[2] > 0.0 ? 1.0 : -1.0;
-      }
-      flat_[packed].push_back({plane.normal, swaps});
-    }
+void PlyFace::make_swell() {
+  if (thickens()) return;
+  even_swell_.assign(static_cast<std::size_t>(nodes()) + ply_nodes_at_a_time, 1.0);
+  even_load_.assign(even_swell_.size(), 0.0);
 }
 
 void PlyFace::make_blocks() {
@@ -92,6 +66,21 @@ void PlyFace::make_blocks() {
   }
 }
 
+void PlyFace::set_chunks(std::vector<int> first_blocks) {
+  chunk_at_ = std::move(first_blocks);
+  for (int& first : chunk_at_) first = blocks_[first].at;
+}
+
+std::array<int, 4> PlyFace::lanes_beside(int lane) const {
+  const auto chunk_of = [&](int l) { return std::upper_bound(chunk_at_.begin(), chunk_at_.end(), l); };
+  std::array<int, 4> beside = arms_.of(node_of_[lane]).arm;
+  for (int& one : beside) {
+    one = lane_of_[one];
+    if (one == lane || (one >= 0 && chunk_of(one) != chunk_of(lane))) one = -1;
+  }
+  return beside;
+}
+
 // Nodes of a block that is not far enough from the ends of the arrays are all left to the list.
 void PlyFace::find_irregular() {
   const int stride = ply_.packed().stride;
@@ -100,12 +89,13 @@ void PlyFace::find_irregular() {
     const bool at_the_end = block.first < stride || block.first + block.lanes + stride > nodes();
     for (int n = block.first; n < block.first + block.count; ++n)
       if (const std::array<int, 4> regular = {n - 1, n + 1, n - stride, n + stride};
-          at_the_end || arms_[n].arm != regular || !flat_[n].empty())
+          at_the_end || arms_.of(n).arm != regular || arms_.in_a_plane(n))
         irregular_.push_back(n);
   }
   first_irregular_.push_back(static_cast<int>(irregular_.size()));
   irregular_lever_.assign(irregular_.size(), {});
   has_levers_.assign(blocks_.size(), 0);
+  added_.assign(blocks_.size(), 0);
   for (auto& component : lever_) component.assign(static_cast<std::size_t>(nodes()) + 2 * stride, 0.0);
 }
 
@@ -114,28 +104,8 @@ Vec3 PlyFace::position(int node) const {
   return {x[0][node], x[1][node], x[2][node]};
 }
 
-// In a plane that swaps the families the arms beyond it are missing: they are images of the other family's.
-std::array<Vec3, 2> PlyFace::between_arms(int node) const {
-  const auto& arm = arms_[node].arm;
-  return {minus(position(arm[1]), position(arm[0])), minus(position(arm[3]), position(arm[2]))};
-}
-
-// The image of what lies on one side of a plane lies on the other, and what is between them does not lean.
 std::array<Vec3, 2> PlyFace::between_neighbours(int node) const {
-  std::array<Vec3, 2> arms = between_arms(node);
-  for (const auto& [plane, swaps] : flat_[node]) {
-    if (swaps != 0.0) {
-      arms = with_images(arms, plane, swaps);
-      continue;
-    }
-    // along the plane or across it, whichever the yarn is
-    for (auto& one : arms) {
-      const double across = dot(one, plane);
-      const Vec3 flat = minus(one, scaled(plane, across));
-      one = across * across > dot(flat, flat) ? scaled(plane, across) : flat;
-    }
-  }
-  return arms;
+  return arms_.between(node, state().position);
 }
 
 Vec3 PlyFace::normal(int node) const {
@@ -172,23 +142,36 @@ void PlyFace::frame(int number, BlockFrame& frame) const {
 }
 
 void PlyFace::clear_levers(int number) {
-  if (has_levers_[number] == 0) return;
-  has_levers_[number] = 0;
   const PlyBlock& block = blocks_[number];
   const int stride = ply_.packed().stride;
   for (auto& component : lever_) std::fill_n(component.begin() + stride + block.first, block.count, 0.0);
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k) irregular_lever_[k].fill(0.0);
 }
 
+void PlyFace::end_levers(int number) {
+  if (has_levers_[number] == 0 || added_[number] != 0) return;
+  clear_levers(number);
+  has_levers_[number] = 0;
+}
+
+// The first of a step that has the whole block takes the place of what was there.
 void PlyFace::add_levers(int number, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]) {
-  has_levers_[number] = 1;
+  const PlyBlock& block = blocks_[number];
   const int stride = ply_.packed().stride;
-  for (std::size_t c = 0; c < 6; ++c)
-    loops_of_plies().add(end - first, lever[c] + first, lever_[c].data() + stride + blocks_[number].first + first);
+  const bool begins = added_[number] == 0, whole = first == 0 && end == block.count;
+  if (begins && !whole && has_levers_[number] != 0) clear_levers(number);
+  has_levers_[number] = added_[number] = 1;
+  for (std::size_t c = 0; c < 6; ++c) {
+    double* const into = lever_[c].data() + stride + block.first + first;
+    if (begins && whole)
+      std::copy_n(lever[c], block.count, into);
+    else
+      loops_of_plies().add(end - first, lever[c] + first, into);
+  }
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k)
     for (std::size_t c = 0; c < 6; ++c) {
       double& there = lever_[c][stride + irregular_[k]];
-      irregular_lever_[k][c] += there;
+      irregular_lever_[k][c] = (begins && whole ? 0.0 : irregular_lever_[k][c]) + there;
       there = 0.0;
     }
 }
@@ -205,21 +188,9 @@ void PlyFace::take_levers(int first, int end) {
 }
 
 void PlyFace::take_irregular_levers() {
-  auto& force = state().force;
   for (std::size_t k = 0; k < irregular_.size(); ++k) {
-    const auto& arm = arms_[irregular_[k]].arm;
     const auto& sum = irregular_lever_[k];
-    // the vectors as they are made of the arms' are their own transpose, and so the levers
-    std::array<Vec3, 2> lever = {Vec3{sum[0], sum[1], sum[2]}, Vec3{sum[3], sum[4], sum[5]}};
-    const auto& planes = flat_[irregular_[k]];
-    for (auto plane = planes.rbegin(); plane != planes.rend(); ++plane)
-      if (plane->swaps != 0.0) lever = with_images(lever, plane->normal, plane->swaps);
-    for (std::size_t c = 0; c < 3; ++c) {
-      force[c][arm[1]] += lever[0][c];
-      force[c][arm[0]] -= lever[0][c];
-      force[c][arm[3]] += lever[1][c];
-      force[c][arm[2]] -= lever[1][c];
-    }
+    arms_.add_levers(irregular_[k], {Vec3{sum[0], sum[1], sum[2]}, Vec3{sum[3], sum[4], sum[5]}}, state().force);
   }
 }
 

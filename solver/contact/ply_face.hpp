@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "solver/contact/ply_arms.hpp"
 #include "solver/contact/ply_kernel.hpp"
 #include "solver/contact/ply_law.hpp"
 #include "solver/contact/ply_surface.hpp"
+#include "solver/contact/sheared_thickness.hpp"
 #include "solver/ply/ply.hpp"
 
 namespace weaveform {
@@ -29,13 +31,20 @@ struct BlockFrame {
 
 class PlyFace {
 public:
-  PlyFace(Ply& ply, std::string name);
+  // `sheared`: how the ply thickens (sheared_thickness.hpp); null: not at all.
+  PlyFace(Ply& ply, std::string name, ShearedThickness* sheared = nullptr);
 
   [[nodiscard]] Ply& ply() const { return ply_; }
   [[nodiscard]] State& state() const { return ply_.state(); }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const PlySurface& surface() const { return surface_; }
   [[nodiscard]] const TouchingPly& touching() const { return touching_; }
+  [[nodiscard]] bool thickens() const { return sheared_ != nullptr; }
+  [[nodiscard]] ShearedThickness* sheared() const { return sheared_; }
+  // Where another ply thickens: w and dE/dw per packed node, of a ply that does not 1 and of no consequence.
+  void make_swell();
+  [[nodiscard]] const Doubles& swell() const { return thickens() ? sheared_->swell() : even_swell_; }
+  [[nodiscard]] Doubles& load() { return thickens() ? sheared_->load() : even_load_; }
   [[nodiscard]] int nodes() const { return ply_.packed().nodes; }
   [[nodiscard]] const std::vector<PlyBlock>& blocks() const { return blocks_; }
   [[nodiscard]] int lanes() const { return static_cast<int>(area_.size()); }
@@ -43,7 +52,12 @@ public:
   [[nodiscard]] int node_of(int lane) const { return node_of_[lane]; }      // packed; -1: padding
   [[nodiscard]] const Doubles& mass() const { return mass_; }               // tonne; per lane, 0 where no node is
   [[nodiscard]] const Doubles& area() const { return area_; }               // mm^2; likewise
-  [[nodiscard]] const NodeArms& arms(int packed) const { return arms_[packed]; }
+  [[nodiscard]] const NodeArms& arms(int packed) const { return arms_.of(packed); }
+  // Cuts the blocks into parts that one thread takes at a time: all but the first begin at these.
+  void set_chunks(std::vector<int> first_blocks);
+  // The lanes at the ends of a node's arms, -1 where there is none, it is the node itself, or another chunk's: who asks in
+  // the middle of a step would find it as it was or as it is.
+  [[nodiscard]] std::array<int, 4> lanes_beside(int lane) const;
   [[nodiscard]] int shown_node(int packed) const { return mesh_of_packed_[packed]; }  // for messages
 
   [[nodiscard]] Vec3 position(int packed) const;
@@ -54,10 +68,11 @@ public:
   // mm/s; greatest speed of the block's nodes.
   [[nodiscard]] double speed(int block) const;
 
-  // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are cleared, added to by its passes, and
-  // when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
-  void clear_levers(int block);
+  // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are begun, added to by its passes and ended,
+  // and when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
+  void begin_levers(int block) { added_[block] = 0; }
   void add_levers(int block, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]);
+  void end_levers(int block);  // those of the step before are gone where nothing was added
   [[nodiscard]] bool has_levers() const;
   void take_levers(int first, int end);
   void take_irregular_levers();
@@ -70,22 +85,17 @@ private:
 
   Ply& ply_;
   std::string name_;
+  ShearedThickness* sheared_;
+  Doubles even_swell_, even_load_;
   PlySurface surface_;
-  std::vector<NodeArms> arms_;
+  PlyArms arms_;
   std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
-  // A mirror plane that a node lies in. Its yarns run along or across the plane (swaps 0), or it mirrors each family onto
-  // the other (1 where a warp's image runs as the weft does, -1 where against it).
-  struct InPlane {
-    Vec3 normal;
-    double swaps;
-  };
-  void find_planes();
-  [[nodiscard]] std::array<Vec3, 2> between_arms(int packed) const;
-  std::vector<std::vector<InPlane>> flat_;  // per packed node
-  std::array<Doubles, 6> lever_;            // N; a row before and behind the packed nodes', 0 at irregular nodes
+  std::array<Doubles, 6> lever_;                  // N; a row before and behind the packed nodes', 0 at irregular nodes
   std::vector<std::array<double, 6>> irregular_lever_;  // N
-  std::vector<char> has_levers_;                        // per block
+  std::vector<char> has_levers_, added_;                // per block; above 0 somewhere, and in this step
+  void clear_levers(int block);
   std::vector<PlyBlock> blocks_;
+  std::vector<int> chunk_at_;  // lanes at which all chunks but the first begin
   std::vector<int> lane_of_, node_of_;
   Doubles mass_, area_;
   std::vector<int> mesh_of_packed_;

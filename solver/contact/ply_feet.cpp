@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/contact/nearest_facet.hpp"
 #include "solver/contact/ply_pass.hpp"
 
 namespace weaveform {
@@ -10,41 +11,43 @@ namespace {
 // Of a cell: a foot is off the ply when it is so far out. Triangles, small and at free corners, do not go on far.
 constexpr double ply_border = 0.3, triangle_border = 0.05;
 constexpr double beside_the_ply = 0.02;  // of a cell: no foot goes so far out of its cell in a step
+constexpr double beside_not_far =
+    1.0;  // cells; a foot so near to the ply is beside it, and not over the other side of a hole
 constexpr double come_back_part = 0.2;  // of the softening depth: how much deeper than its neighbours a foot comes back
 
 }  // namespace
 
-// From one node to the next the foot moves by about a cell, so that only the first of all is looked for everywhere.
-SurfacePlace PlyPassState::start_of_search(int lane, const SurfacePlace& before) const {
+// From a row to the next the foot moves by about a cell. Where there is none to start from, or the way from there leads
+// off the ply (over a hole, or from beside it), from the facet that is nearest now. A way of hundreds of cells would be
+// no start: it ends somewhere, and the first step along the wrong cell's slope in another ply.
+SurfacePlace PlyPassState::place_found(int lane, const NearestFacet& nearest) const {
+  const PlySurface& surface = other_.surface();
+  const auto& position = other_.state().position;
   const int node = own_.node_of(lane), south = own_.arms(node).arm[2], beside = own_.lane_of(south);
-  if (south < node && beside >= 0 && facet_[beside] >= 0) return place_of(beside);
-  if (before.facet >= 0) return before;
-  return other_.surface().nearest_middle(own_.position(node), other_.state().position);
+  const Vec3 x = own_.position(node), normal = own_.normal(node);
+  SurfacePlace place;
+  if (south < node && beside >= 0) place = place_of(beside);
+  if (place.facet >= 0 && surface.follow(place, x, normal, position) && surface.outside(place) <= cell_border)
+    return place;
+  place = nearest(x);
+  return place.facet >= 0 && surface.follow(place, x, normal, position) ? place : SurfacePlace{};
 }
 
 double PlyPassState::search(std::vector<double>* depths) {
   wake();
   if (depths != nullptr) depths->assign(own_.nodes(), no_depth);
-  const PlySurface& surface = other_.surface();
-  const auto& position = other_.state().position;
+  const NearestFacet nearest(other_.surface(), other_.state().position);
   double least_gap = std::numeric_limits<double>::infinity();
-  SurfacePlace before;
   for (std::size_t b = 0; b < own_.blocks().size(); ++b) {
     const PlyBlock& block = own_.blocks()[b];
     double deepest = no_depth;
     for (int l = block.at; l < block.at + block.count; ++l) {
       const int node = own_.node_of(l);
-      const Vec3 x = own_.position(node), normal = own_.normal(node);
-      SurfacePlace place = start_of_search(l, before);
-      if (place.facet < 0) break;  // a surface without cells
-      if (!surface.follow(place, x, normal, position)) {
-        place = surface.nearest_middle(x, position);
-        if (!surface.follow(place, x, normal, position)) continue;
-      }
-      before = place;
+      const SurfacePlace place = place_found(l, nearest);
+      if (place.facet < 0) continue;
       put(l, place);
-      if (surface.outside(place) > cell_border) continue;
-      const double depth = depth_at(l, place, normal);
+      if (other_.surface().outside(place) > cell_border) continue;
+      const double depth = depth_at(l, place, own_.normal(node));
       turn_on(l, place, depth);
       deepest = std::max(deepest, depth);
       if (depths != nullptr) (*depths)[node] = depth;
@@ -62,18 +65,18 @@ bool PlyPassState::faces(int lane, const SurfacePlace& place) const {
   const Frame frame = frame_at(place);
   const Vec3 m = cross(frame.s1, frame.s2);
   const double along = dot(m, n);
-  return along > 0.0 && 4.0 * along * along > dot(m, m) * dot(n, n) && depth_at(lane, place, n) < 2.0 * law_.reach;
+  return along > 0.0 && 4.0 * along * along > dot(m, m) * dot(n, n) &&
+         depth_at(lane, place, n) < 2.0 * reach_at(lane, place);
 }
 
 // A foot that was off, beside the ply or in a fold, comes back where hardly anything happens by that: no deeper than its
 // neighbours' have been pressed. Deeper, a spring that nobody has pressed would push it.
 bool PlyPassState::may_come_back(int lane, const SurfacePlace& place) const {
   if (!faces(lane, place)) return false;
-  const int node = own_.node_of(lane);
   double pressed = 0.0;
-  for (const int beside : own_.arms(node).arm)
-    if (const int l = own_.lane_of(beside); l >= 0 && stiffness_[l] > 0.0) pressed = std::max(pressed, depth_[l]);
-  return depth_at(lane, place, own_.normal(node)) < pressed + come_back_part * law_.softening;
+  for (const int l : own_.lanes_beside(lane))
+    if (l >= 0 && stiffness_[l] > 0.0) pressed = std::max(pressed, depth_[l]);
+  return depth_at(lane, place, own_.normal(own_.node_of(lane))) < pressed + come_back_part * law_.softening;
 }
 
 // Whether a foot beside the ply still counts as on it.
@@ -138,7 +141,28 @@ void PlyPassState::find_again(int number) {
   find_lost(number);
 }
 
-// Feet that are off, from where they left or from where a neighbour's is. First all are found, then those come back that
+// From where it left, or, when that is far from the ply by now or leads nowhere, from where a neighbour's is; off the ply
+// where neither leads onto it.
+SurfacePlace PlyPassState::place_again(int lane) const {
+  const PlySurface& surface = other_.surface();
+  const int node = own_.node_of(lane);
+  const Vec3 x = own_.position(node), normal = own_.normal(node);
+  SurfacePlace off;
+  const auto leads_on = [&](SurfacePlace& place) {
+    if (place.facet < 0 || !surface.follow(place, x, normal, other_.state().position)) return false;
+    if (surface.outside(place) <= cell_border) return true;
+    if (off.facet < 0) off = place;
+    return false;
+  };
+  if (SurfacePlace own = place_of(lane); leads_on(own)) return own;
+  if (off.facet >= 0 && surface.away(off) < beside_not_far) return off;
+  for (const int l : own_.lanes_beside(lane))
+    if (l >= 0)
+      if (SurfacePlace theirs = place_of(l); leads_on(theirs)) return theirs;
+  return off;
+}
+
+// Feet that are off. First all are found, then those come back that
 // may: none because of another that has only just come.
 void PlyPassState::find_lost(int number) {
   const PlySurface& surface = other_.surface();
@@ -147,12 +171,8 @@ void PlyPassState::find_lost(int number) {
   int count = 0;
   for (int l = block.at; l < block.at + block.count; ++l) {
     if (stiffness_[l] > 0.0) continue;
-    const int node = own_.node_of(l);
-    SurfacePlace place = place_of(l);
-    for (const int beside : own_.arms(node).arm)
-      if (place.facet < 0 && own_.lane_of(beside) >= 0) place = place_of(own_.lane_of(beside));
+    const SurfacePlace place = place_again(l);
     if (place.facet < 0) continue;
-    if (!surface.follow(place, own_.position(node), own_.normal(node), other_.state().position)) continue;
     put(l, place);
     if (surface.outside(place) <= cell_border && may_come_back(l, place)) back[count++] = l;
   }

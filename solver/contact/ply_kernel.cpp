@@ -142,15 +142,31 @@ struct Contribution {
   double area, normal, friction, energy, friction_work, damping_work, depth, pressure;
 };
 
-template <bool with_tables>
+// Where the faces are thicker than flat, and how they slope.
+WEAVEFORM_INLINE void measure_reach(const PlyPassLaw& law, double twist, const PlyPassNodes& nodes, PlyFeet& feet,
+                                    int i) {
+  const long corner = nodes.corner[i];
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i];
+  const double w0 = nodes.surface_swell[corner], e1 = nodes.surface_swell[corner + nodes.beside[0]] - w0,
+               e2 = nodes.surface_swell[corner + nodes.beside[1]] - w0,
+               e3 = twist * (nodes.surface_swell[corner + nodes.beside[2]] - w0 - e1 - e2);
+  const double other = w0 + xi * e1 + eta * (e2 + xi * e3);
+  feet.reach[i] = law.reach + law.half_own * (nodes.swell[i] - 1.0) + law.half_other * (other - 1.0);
+  feet.rise1[i] = law.half_other * (e1 + eta * e3);
+  feet.rise2[i] = law.half_other * (e2 + xi * e3);
+}
+
+template <bool with_tables, bool swollen>
 WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes,
                                     PlyFeet& feet, PlyPassForces& forces, int i) {
   const double inverse_distance = inverse_root(feet.square[i] + least_square);
   const double guess = feet.square[i] * inverse_distance;
   const double distance = guess + 0.5 * (feet.square[i] - guess * guess) * inverse_distance;
-  const double depth = law.reach - (law.side * feet.along[i] >= 0.0 ? distance : -distance);
+  double reach = law.reach;
+  if constexpr (swollen) reach = feet.reach[i];
+  const double depth = reach - (law.side * feet.along[i] >= 0.0 ? distance : -distance);
   // nobody gets there in one step: it is another side of a fold that the line met
-  const double given = nodes.stiffness[i], there = depth < 2.0 * law.reach ? feet.meets[i] : 0.0;
+  const double given = nodes.stiffness[i], there = depth < 2.0 * reach ? feet.meets[i] : 0.0;
   const double meets = given > 0.0 ? there : 0.0;
   const double k = meets * given, area = meets * law.share * nodes.area[i];
   const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
@@ -187,6 +203,11 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   feet.normal[i] = law.side * normal.force;
   feet.q1[i] = -cut * q1;
   feet.q2[i] = -cut * q2;
+  if constexpr (swollen) {
+    const double area_square = g11 * g22 - g12 * g12, slope = normal.force * inverse_of(area_square + least);
+    feet.q1[i] -= slope * (g22 * feet.rise1[i] - g12 * feet.rise2[i]);
+    feet.q2[i] -= slope * (g11 * feet.rise2[i] - g12 * feet.rise1[i]);
+  }
   forces.acts[i] = normal.force + cut * s_size;
 
   // a node on which nothing acts keeps what it had
@@ -205,8 +226,9 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   out.friction = cut * s_size;
   out.energy = normal.stored + 0.5 * kt * cut * cut * t_square;
   // the spring's slip (1 - cut) t against half its force before, k_t (t - u), and half of now's, k_t cut t
+  const double counted = given > 0.0 ? common.moved : 0.0;  // who has drag from a triangle is counted there
   out.friction_work =
-      common.moved * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
+      counted * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
   out.damping_work = common.moved * meets * 0.5 * (drag0 + drag_now) * sinking;
   out.depth = k > 0.0 ? depth : -1e300;
   out.pressure = normal.force * inverse_of(area + least_area);
@@ -259,6 +281,18 @@ WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes,
   forces.lever[5][i] = g[0] * a[1] - g[1] * a[0] + w * (n[0] * b[1] - n[1] * b[0]);
 }
 
+// dE/dw of the node and of its foot's corners.
+WEAVEFORM_INLINE void share_load(const PlyPassLaw& law, double twist, const PlyPassNodes& nodes, const PlyFeet& feet,
+                                 PlyPassForces& forces, int i) {
+  const double xi = nodes.place[0][i], eta = nodes.place[1][i];
+  const double n3 = twist * xi * eta, normal = law.side * feet.normal[i], other = normal * law.half_other;
+  forces.load[0][i] = normal * law.half_own;
+  forces.load[1][i] = other * (1.0 - xi - eta + n3);
+  forces.load[2][i] = other * (xi - n3);
+  forces.load[3][i] = other * (eta - n3);
+  forces.load[4][i] = other * n3;
+}
+
 double find_feet(const PlyPassNodes& nodes_given, PlyFeet& feet, int first, int end) {
   const PlyPassNodes nodes = nodes_given;
   const double twist = nodes.beside[2] != 0 ? 1.0 : 0.0;  // none of a triangle
@@ -271,7 +305,7 @@ double find_feet(const PlyPassNodes& nodes_given, PlyFeet& feet, int first, int 
   return outside;
 }
 
-template <bool with_tables>
+template <bool with_tables, bool swollen>
 PlyPassSums press_all(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given, PlyFeet& feet,
                       PlyPassForces& forces, int first, int end) {
   const PlyPassLaw law = law_given;
@@ -280,12 +314,16 @@ PlyPassSums press_all(const PlyPassLaw& law_given, double inverse_time, const Pl
                          .inverse_time = inverse_time,
                          .moved = inverse_time > 0.0 ? 1.0 : 0.0,
                          .twist = nodes.beside[2] != 0 ? 1.0 : 0.0};
+  if constexpr (swollen) {
+#pragma omp simd
+    for (int i = first; i < end; ++i) measure_reach(law, common.twist, nodes, feet, i);
+  }
   double area = 0.0, normal = 0.0, friction = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
   double depth = -1e300, pressure = 0.0;
 #pragma omp simd reduction(+ : area, normal, friction, energy, friction_work, damping_work) \
     reduction(max : depth, pressure)
   for (int i = first; i < end; ++i) {
-    const Contribution one = press<with_tables>(law, common, nodes, feet, forces, i);
+    const Contribution one = press<with_tables, swollen>(law, common, nodes, feet, forces, i);
     area += one.area;
     normal += one.normal;
     friction += one.friction;
@@ -297,6 +335,10 @@ PlyPassSums press_all(const PlyPassLaw& law_given, double inverse_time, const Pl
   }
 #pragma omp simd
   for (int i = first; i < end; ++i) share_out(common, nodes, feet, forces, i);
+  if constexpr (swollen) {
+#pragma omp simd
+    for (int i = first; i < end; ++i) share_load(law, common.twist, nodes, feet, forces, i);
+  }
   return {.area = area,
           .normal = normal,
           .friction = friction,
@@ -325,6 +367,7 @@ void lever(int count, int stride, const double* lever_a, const double* lever_b, 
 
 using Four [[gnu::vector_size(32)]] = double;
 
+template <bool swollen>
 void give_back(int first, int end, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
                double* into, char* touched) {
   const int away[4] = {0, beside[0], beside[1], beside[2]};
@@ -333,11 +376,18 @@ void give_back(int first, int end, const long* corner, const int (&beside)[3], c
     for (int a = 0; a < 4; ++a) {
       const long node = corner[i] + away[a];
       Four* const sum = reinterpret_cast<Four*>(into + 4 * node);
-      const Four more = {forces.back[a][0][i], forces.back[a][1][i], forces.back[a][2][i], 0.0};
+      double load = 0.0;
+      if constexpr (swollen) load = forces.load[a + 1][i];
+      const Four more = {forces.back[a][0][i], forces.back[a][1][i], forces.back[a][2][i], load};
       *sum += more;
       touched[node / ply_segment] = 1;
     }
   }
+}
+
+void fold_loads(int count, const double* from, double* into) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) into[i] += from[4 * i + 3];
 }
 
 void fold(int count, double* from, double* const (&into)[3]) {
@@ -366,12 +416,15 @@ double speed(int count, const double* const (&v)[3]) {
 
 extern const PlyLoops ply_loops;
 const PlyLoops ply_loops = {.feet = find_feet,
-                            .springs = press_all<false>,
-                            .tables = press_all<true>,
+                            .springs = press_all<false, false>,
+                            .tables = press_all<true, false>,
+                            .swollen = press_all<true, true>,
                             .add = add,
                             .way = way,
                             .lever = lever,
-                            .give_back = give_back,
+                            .give_back = give_back<false>,
+                            .give_back_swollen = give_back<true>,
+                            .fold_loads = fold_loads,
                             .fold = fold,
                             .speed = speed};
 

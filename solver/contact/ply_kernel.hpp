@@ -24,6 +24,11 @@
 // of b, with a x G_a + b x G_b = -r x F, G_a = b x f + w n x a, G_b = f x a + w n x b. Forces and moments sum to zero to
 // rounding. With the couple elsewhere, say on the corners, friction would be a force without a potential, and plies
 // flutter on it.
+//
+// Plies that thicken as they shear (sheared_thickness.hpp; w per node, interpolated over a cell) have
+//   reach = h_own w + h_other sum N_a w_a,     h the flat half thicknesses
+// so that N acts on thickness as well, dE/dw = N h_own and N h_other N_a, and along the slope of the other's face:
+//   q = -N G^-1 (reach_xi, reach_eta),   G the metric of S_xi, S_eta
 #pragma once
 
 namespace weaveform {
@@ -51,24 +56,28 @@ struct PlyPassLaw {
   double adhesion = 0.0;      // mm; tau acts down to this depth (negative: across a gap)
   EvenTable pressure;         // MPa; P of the depth; none: springs
   EvenTable pressure_energy;  // mJ/mm^2; its integral
+  double half_own = 0.0;      // mm; flat half thickness of the nodes' ply
+  double half_other = 0.0;    // mm; of the surface's
 };
 
 // Arrays of `count` entries, but for those of the surface.
 struct PlyPassNodes {
   int count;
-  const double* x[3];        // mm
-  const double* a[3];        // mm; between the node's neighbours along the warp
-  const double* b[3];        // mm; along the weft; a x b points upwards, and there is no foot where it is 0
-  const double* stiffness;   // N/mm; k; 0 where nothing acts: what is kept of such a node stays as it is
-  const double* area;        // mm^2; of the fabric around the node
-  const long* corner;        // first corner of the foot's cell; as wide as doubles, so that loops do not mix widths
-  int beside[3];             // from it to the other three; the last is 0 for triangles
-  const double* surface[3];  // mm; positions of the other ply's nodes
-  double* place[2];          // xi, eta
-  double* anchor[2];         // likewise
-  double* depth;             // mm; p at the step before, then now
-  double* drag[3];           // N; of the dampers at the step before, then now: normal, and the components q of T
-  double* path;              // mm; slip so far
+  const double* x[3];           // mm
+  const double* a[3];           // mm; between the node's neighbours along the warp
+  const double* b[3];           // mm; along the weft; a x b points upwards, and there is no foot where it is 0
+  const double* stiffness;      // N/mm; k; 0 where nothing acts: what is kept of such a node stays as it is
+  const double* area;           // mm^2; of the fabric around the node
+  const long* corner;           // first corner of the foot's cell; as wide as doubles, so that loops do not mix widths
+  int beside[3];                // from it to the other three; the last is 0 for triangles
+  const double* surface[3];     // mm; positions of the other ply's nodes
+  double* place[2];             // xi, eta
+  double* anchor[2];            // likewise
+  double* depth;                // mm; p at the step before, then now
+  double* drag[3];              // N; of the dampers at the step before, then now: normal, and the components q of T
+  double* path;                 // mm; slip so far
+  const double* swell;          // 1; w of the nodes; of no use to loops that are not swollen
+  const double* surface_swell;  // 1; of the other ply's nodes
 };
 
 // What the nodes of a block feel.
@@ -77,6 +86,7 @@ struct PlyPassForces {
   alignas(64) double back[4][3][ply_nodes_at_a_time];  // N; of each corner
   alignas(64) double lever[6][ply_nodes_at_a_time];    // N; G_a and G_b
   alignas(64) double acts[ply_nodes_at_a_time];        // N; above 0 where something acts
+  alignas(64) double load[5][ply_nodes_at_a_time];     // N mm; dE/dw of the node and each corner, of swollen loops only
 };
 
 // Sums over a block.
@@ -99,6 +109,8 @@ struct PlyFeet {
   alignas(64) double square[ply_nodes_at_a_time], along[ply_nodes_at_a_time];  // r.r, r.(a x b)
   alignas(64) double meets[ply_nodes_at_a_time];  // 1 where the normals part by less than 45 degrees, 0 from 60 on
   alignas(64) double normal[ply_nodes_at_a_time], q1[ply_nodes_at_a_time], q2[ply_nodes_at_a_time];  // N; N, T's q
+  // mm; reach, and what it rises along xi and eta; of swollen loops only
+  alignas(64) double reach[ply_nodes_at_a_time], rise1[ply_nodes_at_a_time], rise2[ply_nodes_at_a_time];
 };
 
 // For the nodes first .. end - 1 of a block.
@@ -109,7 +121,7 @@ using PlyFindFeet = double(const PlyPassNodes& nodes, PlyFeet& feet, int first, 
 using PlyPress = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes, PlyFeet& feet,
                              PlyPassForces& forces, int first, int end);
 
-// Nodes whose forces lie together, x, y, z and nothing, so that one is added with one instruction; `touched` has a flag
+// Nodes whose forces lie together, x, y, z and dE/dw or nothing, so that one is added with one instruction; `touched` has a flag
 // for each so many of them.
 inline constexpr int ply_segment = 64;
 // Adds what the corners take of the nodes first .. end - 1.
@@ -125,6 +137,9 @@ using PlyWay = void(int count, const double* from, const double* to, double* way
 // force[i] += G_a[i - 1] - G_a[i + 1] + G_b[i - stride] - G_b[i + stride].
 using PlyLever = void(int count, int stride, const double* lever_a, const double* lever_b, double* force);
 
+// into[i] += from[4 i + 3].
+using PlyFoldLoads = void(int count, const double* from, double* into);
+
 // Adds such forces to one array for each component, and leaves zeros.
 using PlyFold = void(int count, double* from, double* const (&into)[3]);
 
@@ -135,10 +150,13 @@ struct PlyLoops {
   PlyFindFeet* feet;
   PlyPress* springs;  // Coulomb, springs
   PlyPress* tables;   // with tables of shear or pressure, either or both
+  PlyPress* swollen;  // with or without tables, of plies that thicken
   PlyAdd* add;
   PlyWay* way;
   PlyLever* lever;
   PlyGiveBack* give_back;
+  PlyGiveBack* give_back_swollen;
+  PlyFoldLoads* fold_loads;
   PlyFold* fold;
   PlySpeed* speed;
 };

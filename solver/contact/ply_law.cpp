@@ -136,7 +136,9 @@ PlyPassLaw pass_law(const PairLaw& law, const PairTables& tables, const Touching
           .shear = tables.shear_table,
           .adhesion = law.shear_law.empty() ? 0.0 : -softening,
           .pressure = tables.pressure_table,
-          .pressure_energy = tables.energy_table};
+          .pressure_energy = tables.energy_table,
+          .half_own = 0.5 * own.thickness,
+          .half_other = 0.5 * other.thickness};
 }
 
 }  // namespace weaveform

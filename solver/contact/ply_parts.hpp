@@ -58,6 +58,7 @@ struct PlyContact::Parts {
   std::deque<Pair> pair;
   std::vector<Chunk> chunk;
   std::vector<Part> part;
+  bool swollen = false;  // some ply thickens
   bool started = false;
   double time = 0.0;  // s; of the last add_forces
   double wall_s = 0.0;

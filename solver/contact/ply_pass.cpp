@@ -30,11 +30,12 @@ double table_value(const EvenTable& table, double x) {
 
 }  // namespace
 
-PlyPassState::PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency)
+PlyPassState::PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency, bool swollen)
     : own_(own),
       other_(other),
       law_(law),
       frequency_(frequency),
+      swollen_(swollen),
       touch_(law.adhesion),
       far_(own.blocks().size(), no_depth),
       clear_(own.blocks().size(), 0),
@@ -65,11 +66,22 @@ void PlyPassState::forget() {
   for (auto& list : drag_) list = {};
 }
 
+// mm; |r| at which the two touch.
+double PlyPassState::reach_at(int lane, const SurfacePlace& place) const {
+  if (!swollen_) return law_.reach;
+  const auto node = other_.surface().corners(place.facet);
+  const double n3 = other_.surface().is_triangle(place.facet) ? 0.0 : place.xi * place.eta;
+  const double weight[4] = {1.0 - place.xi - place.eta + n3, place.xi - n3, place.eta - n3, n3};
+  double other = 0.0;
+  for (std::size_t a = 0; a < 4; ++a) other += weight[a] * other_.swell()[node[a]];
+  return law_.reach + law_.half_own * (own_.swell()[own_.node_of(lane)] - 1.0) + law_.half_other * (other - 1.0);
+}
+
 // The depth at a foot, |r| counted as in ply_kernel.hpp.
 double PlyPassState::depth_at(int lane, const SurfacePlace& place, const Vec3& normal) const {
   const Vec3 r = minus(own_.position(own_.node_of(lane)), other_.surface().point(place, other_.state().position));
   const double distance = length(r);
-  return law_.reach - (law_.side * dot(r, normal) >= 0.0 ? distance : -distance);
+  return reach_at(lane, place) - (law_.side * dot(r, normal) >= 0.0 ? distance : -distance);
 }
 
 void PlyPassState::count_off(int number) {
@@ -134,6 +146,8 @@ PlyPassNodes PlyPassState::nodes_of(int number, const BlockFrame& frame) {
     nodes.place[k] = place_[k].data() + block.at;
     nodes.anchor[k] = anchor_[k].data() + block.at;
   }
+  nodes.swell = swollen_ ? own_.swell().data() + block.first : nullptr;
+  nodes.surface_swell = swollen_ ? other_.swell().data() : nullptr;
   for (int c = 0; c < 3; ++c) {
     nodes.x[c] = frame.x[c];
     nodes.a[c] = frame.a[c];
@@ -189,7 +203,8 @@ double PlyPassState::find_one(int number, const PlyPassNodes& nodes, PlyFeet& fe
 void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyReturn& back) {
   const PlyBlock& block = own_.blocks()[number];
   const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
-  const auto& press = with_tables ? loops_of_plies().tables : loops_of_plies().springs;
+  const PlyLoops& loops = loops_of_plies();
+  const auto& press = swollen_ ? loops.swollen : with_tables ? loops.tables : loops.springs;
   PlyPassForces forces;
   const auto press_some = [&](const PlyPassNodes& some, int first, int end) {
     const PlyPassSums sums = press(law_, inverse_time, some, feet, forces, first, end);
@@ -214,17 +229,26 @@ void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int end,
   for (int c = 0; c < 3; ++c)
     loops_of_plies().add(end - first, forces.force[c] + first, own_.state().force[c].data() + node + first);
   own_.add_levers(block, first, end, forces.lever);
-  loops_of_plies().give_back(first, end, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
+  const PlyLoops& loops = loops_of_plies();
+  const auto& give_back = swollen_ ? loops.give_back_swollen : loops.give_back;
+  give_back(first, end, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
+  if (swollen_) loops.add(end - first, forces.load[0] + first, own_.load().data() + node + first);
 }
 
-// mm; how far a block is from touching, of nodes beside the ply how far they are from its edge.
+// mm; how far a block is from touching, of nodes beside the ply how far they are from its edge, along the ply or over it.
 double PlyPassState::clearance(int number, double depth) const {
   double room = depth > no_depth ? safe_part * (touch_ - depth) : std::numeric_limits<double>::max();
   if (off_[number] == 0 || room <= 0.0) return std::max(room, 0.0);
   const PlyBlock& block = own_.blocks()[number];
   for (int l = block.at; l < block.at + block.count && room > 0.0; ++l) {
     if (stiffness_[l] > 0.0 || facet_[l] < 0) continue;
-    room = std::min(room, safe_part * other_.touching().spacing * other_.surface().away(place_of(l)));
+    const SurfacePlace place = place_of(l), edge = other_.surface().held_inside(place);
+    if (other_.surface().outside(place) <= cell_border) return 0.0;  // in a fold
+    const double beside = other_.touching().spacing * other_.surface().away(place),
+                 over = plain_length(minus(own_.position(own_.node_of(l)),
+                                           other_.surface().point(edge, other_.state().position))) -
+                        reach_at(l, edge) + touch_;
+    room = std::min(room, safe_part * std::max(beside, over));
   }
   return std::max(room, 0.0);
 }
@@ -243,7 +267,8 @@ bool PlyPassState::any_clear() const {
 int PlyPassState::deepest() const {
   int lane = -1;
   for (int l = 0; l < own_.lanes(); ++l)
-    if (stiffness_[l] > 0.0 && depth_[l] < 2.0 * law_.reach && (lane < 0 || depth_[l] > depth_[lane])) lane = l;
+    if (stiffness_[l] > 0.0 && depth_[l] < 2.0 * reach_at(l, place_of(l)) && (lane < 0 || depth_[l] > depth_[lane]))
+      lane = l;
   return lane < 0 ? -1 : own_.node_of(lane);
 }
 
@@ -262,7 +287,7 @@ PlyPassState::Frame PlyPassState::frame_at(const SurfacePlace& place) const {
 
 // A spring between a node and the corners of its foot's cell, K (t - sum v_a t_a)^2 / 2: |K_ij| = K |v_i| |v_j|, with
 // v = N_a at the corners. Along the surface the node's neighbours turn its normal, too: v = |r| over the way between
-// them. Dampers shorten the step like stiffness (contact.cpp).
+// them. Where plies thicken, v has those of w as well. Dampers shorten the step like stiffness (contact.cpp).
 void PlyPassState::add_stiffness_bound(double fabric_frequency, double stiffest, Doubles& own_bound,
                                        Doubles& other_bound) const {
   const double fastest = std::hypot(fabric_frequency, frequency_);
@@ -279,8 +304,10 @@ void PlyPassState::add_stiffness_bound(double fabric_frequency, double stiffest,
                               std::abs(place.eta - n3), std::abs(n3)};
     const auto [a, b] = own_.between_neighbours(own_.node_of(l));
     const double turned = length(cross(a, b));
-    const double lever[2] = {law_.reach * length(b) / turned, law_.reach * length(a) / turned};
-    const double plain_sum = 1.0 + weight[0] + weight[1] + weight[2] + weight[3];
+    const double reach = reach_at(l, place);
+    const double lever[2] = {reach * length(b) / turned, reach * length(a) / turned};
+    double plain_sum = 1.0 + weight[0] + weight[1] + weight[2] + weight[3];
+    if (swollen_) plain_sum += thickness_sum(l, corner, weight);
     const double turning_sum = plain_sum + 2.0 * (lever[0] + lever[1]);
     const double one = std::max(across * plain_sum, along * turning_sum);
     own_bound[own_.node_of(l)] += one;
@@ -288,7 +315,24 @@ void PlyPassState::add_stiffness_bound(double fabric_frequency, double stiffest,
       own_bound[own_.arms(own_.node_of(l)).arm[k]] += along * lever[k / 2] * turning_sum;
       other_bound[corner[k]] += weight[k] * one;
     }
+    if (!swollen_) continue;
+    if (own_.thickens())
+      own_.sheared()->spread(own_.node_of(l), own_.state().position, law_.half_own, across * plain_sum, own_bound);
+    if (other_.thickens())
+      for (std::size_t k = 0; k < 4; ++k)
+        other_.sheared()->spread(corner[k], other_.state().position, law_.half_other * weight[k], across * plain_sum,
+                                 other_bound);
   }
+}
+
+// What the ends of a and b have in a node's spring through the thickness of both plies.
+double PlyPassState::thickness_sum(int lane, const std::array<int, 4>& corner, const double (&weight)[4]) const {
+  double sum = 0.0;
+  if (own_.thickens()) sum += law_.half_own * own_.sheared()->lever(own_.node_of(lane), own_.state().position);
+  if (other_.thickens())
+    for (std::size_t k = 0; k < 4; ++k)
+      sum += law_.half_other * weight[k] * other_.sheared()->lever(corner[k], other_.state().position);
+  return sum;
 }
 
 // The place where the node is now, from that of the material it lay on at first.
@@ -303,7 +347,7 @@ Vec3 PlyPassState::slip(int lane) const {
 PlyPassState::Press PlyPassState::press(int lane) const {
   Press press;
   const double k = stiffness_[lane], depth = depth_[lane], area = law_.share * own_.area()[lane];
-  if (k == 0.0 || !(depth > touch_) || depth >= 2.0 * law_.reach) return press;
+  if (k == 0.0 || !(depth > touch_) || depth >= 2.0 * reach_at(lane, place_of(lane))) return press;
   const double pressed = std::max(depth, 0.0), soft = std::min(pressed, law_.softening);
   const double elastic = law_.pressure.intervals > 0 ? area * table_value(law_.pressure, pressed)
                                                      : k * soft / law_.softening * (pressed - 0.5 * soft);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+#include "solver/contact/nearest_facet.hpp"
 #include "solver/contact/ply_face.hpp"
 #include "solver/contact/ply_kernel.hpp"
 #include "solver/contact/ply_surface.hpp"
@@ -31,8 +32,8 @@ struct PlyReturn {
 
 class PlyPassState {
 public:
-  // `law`'s tables and both plies must outlive the pass.
-  PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency);
+  // `law`'s tables and both plies must outlive the pass. `swollen`: a ply thickens, and both have a swell.
+  PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency, bool swollen);
 
   // Finds every node's foot, from nothing. mm: the least gap between the two, negative inside; with `depths` (per packed
   // node) each one's depth, -infinity where there is none.
@@ -82,15 +83,18 @@ private:
   void turn_off(int lane);
   void put(int lane, const SurfacePlace& place);
   void set_corner(int lane);
+  [[nodiscard]] double reach_at(int lane, const SurfacePlace& place) const;
   [[nodiscard]] double depth_at(int lane, const SurfacePlace& place, const Vec3& normal) const;
   [[nodiscard]] SurfacePlace place_of(int lane) const { return {facet_[lane], place_[0][lane], place_[1][lane]}; }
-  [[nodiscard]] SurfacePlace start_of_search(int lane, const SurfacePlace& before) const;
+  [[nodiscard]] SurfacePlace place_found(int lane, const NearestFacet& nearest) const;
   [[nodiscard]] bool faces(int lane, const SurfacePlace& place) const;
   [[nodiscard]] bool may_come_back(int lane, const SurfacePlace& place) const;
   [[nodiscard]] bool holds_on(const SurfacePlace& place) const;
+  [[nodiscard]] double thickness_sum(int lane, const std::array<int, 4>& corner, const double (&weight)[4]) const;
   void count_off(int block);
   void move_feet(int block, const PlyPassNodes& nodes, PlyFeet& feet, bool tidies);
   void carry_over(int lane, const SurfacePlace& from, const SurfacePlace& to, const Vec2& way);
+  [[nodiscard]] SurfacePlace place_again(int lane) const;
   void find_again(int block);
   void find_lost(int block);
   [[nodiscard]] double clearance(int block, double depth) const;
@@ -105,6 +109,7 @@ private:
   const PlyFace& other_;
   PlyPassLaw law_;
   double frequency_;
+  bool swollen_;
   double touch_;  // mm; depth from which something acts
 
   // per lane

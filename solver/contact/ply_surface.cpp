@@ -125,12 +125,15 @@ double PlySurface::outside(const SurfacePlace& place) const {
   return outside_of(is_triangle(place.facet), place.xi, place.eta);
 }
 
-// To the point that clamping gives: not quite the nearest of a triangle.
-double PlySurface::away(const SurfacePlace& place) const {
+SurfacePlace PlySurface::held_inside(const SurfacePlace& place) const {
   SurfacePlace held = place;
   held.xi = std::clamp(held.xi, 0.0, 1.0);
   held.eta = std::clamp(held.eta, 0.0, is_triangle(place.facet) ? 1.0 - held.xi : 1.0);
-  return length(minus(material(held), material(place)));
+  return held;
+}
+
+double PlySurface::away(const SurfacePlace& place) const {
+  return plain_length(minus(material(held_inside(place)), material(place)));
 }
 
 SurfacePlace PlySurface::find(const Vec2& material) const {
@@ -200,7 +203,7 @@ bool PlySurface::follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, 
     }
     const Vec3 a = cross(s2, normal), b = cross(normal, s1);
     const double determinant = dot(s1, a);
-    if (!(determinant > 0.02 * length(s1) * length(s2) * length(normal))) return false;
+    if (!(determinant > 0.02 * plain_length(s1) * plain_length(s2) * plain_length(normal))) return false;
     double dxi = dot(r, a) / determinant, deta = dot(r, b) / determinant;
     const double size = std::max(std::abs(dxi), std::abs(deta));
     if (size > longest) {
@@ -218,47 +221,7 @@ bool PlySurface::follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, 
     place = next;
     if (size < there) return true;
   }
-  return true;
-}
-
-SurfacePlace PlySurface::nearest_middle(const Vec3& x, const Components& position) const {
-  SurfacePlace nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (int facet = 0; facet < facets(); ++facet) {
-    if (!exists(facet)) continue;
-    const double middle = is_triangle(facet) ? 1.0 / 3.0 : 0.5;
-    const SurfacePlace place = {facet, middle, middle};
-    const Vec3 way = minus(point(place, position), x);
-    if (const double square = dot(way, way); square < least) {
-      least = square;
-      nearest = place;
-    }
-  }
-  return nearest;
-}
-
-std::vector<NodeArms> node_arms(const Mesh& mesh, const PackedMesh& packed) {
-  std::vector<NodeArms> arms(packed.nodes);
-  for (int n = 0; n < packed.nodes; ++n) arms[n].arm.fill(n);
-  for (int e = 0; e < mesh.yarn_count(); ++e) {
-    const int a = packed.packed_of_mesh[mesh.yarns.node[e][0]], b = packed.packed_of_mesh[mesh.yarns.node[e][1]];
-    const std::size_t first = mesh.yarns.family[e] == Family::warp ? 0 : 2;
-    arms[a].arm[first + 1] = b;
-    arms[b].arm[first] = a;
-  }
-  // a yarn end lies between nothing across its yarn: it looks at its crossing's neighbours
-  const auto given = arms;
-  for (const int n : packed.packed_of_mesh)
-    for (const std::size_t first : {std::size_t{0}, std::size_t{2}}) {
-      if (given[n].arm[first] != n || given[n].arm[first + 1] != n) continue;
-      for (const int beside : given[n].arm)
-        if (beside != n && (given[beside].arm[first] != beside || given[beside].arm[first + 1] != beside)) {
-          arms[n].arm[first] = given[beside].arm[first];
-          arms[n].arm[first + 1] = given[beside].arm[first + 1];
-          break;
-        }
-    }
-  return arms;
+  return false;  // where it has come to means nothing
 }
 
 }  // namespace weaveform

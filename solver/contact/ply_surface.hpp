@@ -40,7 +40,9 @@ public:
 
   // How far the place is out of its facet, in the facet's coordinates; 0 or less inside.
   [[nodiscard]] double outside(const SurfacePlace& place) const;
-  // cells; from the place to its facet, 0 inside.
+  // The place itself inside its facet, else one on its edge: of a triangle not quite the nearest.
+  [[nodiscard]] SurfacePlace held_inside(const SurfacePlace& place) const;
+  // cells; from the place to that one, 0 inside.
   [[nodiscard]] double away(const SurfacePlace& place) const;
   // The facet at these coordinates; nowhere where the ply has none.
   [[nodiscard]] SurfacePlace find(const Vec2& material) const;
@@ -49,10 +51,9 @@ public:
 
   [[nodiscard]] Vec3 point(const SurfacePlace& place, const Components& position) const;  // mm
   // Moves the place to where the line through x along `normal` meets the surface around its facet, from facet to facet;
-  // where that leads off the ply, the place is on the last one, outside it. False where the line runs along the surface.
+  // where that leads off the ply, the place is on the last one, outside it. False where the line runs along the surface,
+  // or the way is too long.
   bool follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, const Components& position) const;
-  // The place nearest to x among the facets' middles, to start from.
-  [[nodiscard]] SurfacePlace nearest_middle(const Vec3& x, const Components& position) const;
 
 private:
   struct Triangle {
@@ -69,12 +70,5 @@ private:
   int wide_ = 0, high_ = 0;             // squares of the table below, from (-1, -1) on
   std::vector<int> first_, in_square_;  // triangles that reach into a square
 };
-
-// The normal of a node, along the others that it lies between: (east - west) x (north - south), upwards.
-struct NodeArms {
-  std::array<int, 4> arm;  // packed: west, east, south, north
-};
-// Of each packed node; nodes that do not exist have arms of no length.
-[[nodiscard]] std::vector<NodeArms> node_arms(const Mesh& mesh, const PackedMesh& packed);
 
 }  // namespace weaveform

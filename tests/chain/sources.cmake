@@ -16,6 +16,7 @@ set(CHAIN_SOURCES
   chain/render_test.cpp
   chain/report_test.cpp
   chain/resolve_once_test.cpp
+  chain/stack_cases_test.cpp
   chain/stack_test.cpp
   chain/stages_test.cpp
   chain/symmetry_test.cpp

@@ -58,6 +58,7 @@ TEST_F(StackChain, EveryAnswerSaysOfWhichPlyItIs) {
   run("weaveform run " + two_ply_hemisphere + " --output one" + stack_settings);
   const nlohmann::json answers = summary("one");
   EXPECT_EQ(answers.at("symmetry"), "quarter");
+  EXPECT_LT(answers.at("energy_error").get<double>(), 0.0025);
   int cells = 0;
   for (const char* ply : {"lower", "upper"}) {
     const auto& of = answers.at("plies").at(ply);
@@ -303,6 +304,33 @@ TEST_F(StackChain, AReportShowsSlipAndHidesPlies) {
   const std::string page = read_text(folder_.path() / "one/report.html");
   for (const char* what : {"\"slip_path\"", "\"ply_pressure\"", "slip of upper on lower", "\"plies\":\"", "ply lower"})
     EXPECT_TRUE(says(page, what)) << what;
+}
+
+// In a quarter plies thicken and press as in the whole.
+TEST_F(StackChain, ShearedThicknessOfAQuarterIsThatOfTheWhole) {
+  const std::string sheared =
+      " --set blank.coarsening=5 --set model.contact_thickness=sheared --set tools.punch.travel=12 --set "
+      "analysis.duration=0.05 --set output.frames=1 --set output.history=10 --quiet";
+  run("weaveform run " + two_ply_hemisphere + " --output quarter" + sheared);
+  run("weaveform run " + two_ply_hemisphere + " --output whole --set model.symmetry=none" + sheared);
+  EXPECT_EQ(summary("quarter").at("symmetry"), "quarter");
+  const auto one = read_frame_positions(folder_.path() / "quarter/frames/frame_0001.vtu"),
+             other = read_frame_positions(folder_.path() / "whole/frames/frame_0001.vtu");
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t n = 0; n < one.size(); ++n)
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(one[n][c], other[n][c], 0.1) << n;
+  EXPECT_LT(summary("whole").at("energy_error").get<double>(), 0.01);
+}
+
+TEST_F(StackChain, ThicknessAfterShearIsRefusedWhereItMeansNothing) {
+  const std::string plate = "[tools.plate]\nshape = \"plane\"\n";
+  EXPECT_TRUE(says(refused("[model]\ncontact_thickness = \"sheared\"\n" + stack_pull),
+                   "wrong.toml:2:21: 'contact_thickness' is of no use here: nothing touches the fabric"));
+  EXPECT_TRUE(says(refused("[model]\ncontact_thickness = \"sheared\"\nthickness = \"constant\"\n" + plate + stack_pull),
+                   "it needs thickness = \"constant-volume\""));
+  EXPECT_TRUE(
+      says(refused("[model]\ncontact_thickness = \"sheared\"\n[drape]\ntool = \"plate\"\n" + plate + stack_pull),
+           "a blank that starts draped lies its card's thickness off its tool"));
 }
 
 // Plies that do not touch know nothing of each other: each has the bits of its run alone, and their grip feels both.

@@ -31,15 +31,26 @@ public:
                                                       .damping = 0.0,
                                                       .team = team_}));
       all.push_back(plies_.back().get());
+      sheared_.push_back(
+          scene.model.contact_thickness == ContactThickness::sheared
+              ? std::make_unique<ShearedThickness>(meshes_.back(), plies_.back()->packed(), plies_.back()->state())
+              : nullptr);
     }
-    contact_ = std::make_unique<PlyContact>(PlyContactSetup{
-        .plies = all, .names = {}, .law = [law](int, int) { return law; }, .frequency = frequency, .team = team_});
+    std::vector<ShearedThickness*> sheared;
+    for (auto& one : sheared_) sheared.push_back(one.get());
+    contact_ = std::make_unique<PlyContact>(PlyContactSetup{.plies = all,
+                                                            .names = {},
+                                                            .law = [law](int, int) { return law; },
+                                                            .frequency = frequency,
+                                                            .sheared = sheared,
+                                                            .team = team_});
   }
 
   Ply& ply(std::size_t k) { return *plies_[k]; }
   const Mesh& mesh(std::size_t k) const { return meshes_[k]; }
   double thickness(std::size_t k) const { return meshes_[k].thickness; }
   PlyContact& contact() { return *contact_; }
+  ShearedThickness& sheared(std::size_t k) { return *sheared_[k]; }
   std::size_t size() const { return plies_.size(); }
 
   // Every node of a ply to map(where it starts).
@@ -58,7 +69,11 @@ public:
       ply->state().time += step;
       ++ply->state().step;
     }
+    for (std::size_t k = 0; k < size(); ++k)
+      if (sheared_[k]) sheared_[k]->look(ply(k).state(), team_);
     contact_->add_forces();
+    for (std::size_t k = 0; k < size(); ++k)
+      if (sheared_[k]) sheared_[k]->add_forces(ply(k).state());
   }
 
   Vec3 force(std::size_t k, int node) const {
@@ -89,6 +104,7 @@ private:
   std::deque<Mesh> meshes_;
   Team team_;
   std::vector<std::unique_ptr<Ply>> plies_;
+  std::vector<std::unique_ptr<ShearedThickness>> sheared_;  // null where the ply has the card's thickness
   std::unique_ptr<PlyContact> contact_;
 };
 

@@ -18,6 +18,8 @@ set(VERIFY_SOURCES
   verify/contact_limits_test.cpp
   verify/contact_static_test.cpp
   verify/curved_contact_test.cpp
+  verify/sheared_thickness_test.cpp
+  verify/stack_cases_test.cpp
   verify/stack_test.cpp
   verify/stability_binder_test.cpp
   verify/stability_friction_test.cpp
