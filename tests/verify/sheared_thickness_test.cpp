@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/contact/contact.hpp"
+#include "solver/contact/fabric_stiffness.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/stack_world.hpp"
 
@@ -90,10 +91,11 @@ TEST(ShearedThickness, PliesBetweenPlatesCarryTheBinderAtThicknessOverCosine) {
     EXPECT_NEAR(readings[1].force, force, 0.01 * force);
     EXPECT_NEAR(readings[0].force, force, 0.02 * force) << "force in is force out";
     EXPECT_NEAR(readings[1].area, 3600.0, 0.03 * 3600.0) << "everywhere";
-    // the two plates' springs, omega^2 of all nodes, and those between plies, half as stiff as one plate's
-    const double frequency = contact_frequency(scenes[0].analysis, world->ply(0).fabric_step());
-    const double spring = frequency * frequency * world->ply(0).mass();
-    const double sunk = 2.0 * given_way(force, spring, softening) +
+    // the two plates' springs, omega^2 of all nodes, and those between plies, half as stiff as the step allows a plate's
+    const double step = world->ply(0).fabric_step(), mass = world->ply(0).mass();
+    const double frequency = contact_frequency(scenes[0].analysis, step), spring = frequency * frequency * mass;
+    const double at_tool = tool_contact_frequency(scenes[0].analysis, load_card(scenes[0].fabric.material), step);
+    const double sunk = 2.0 * given_way(force, at_tool * at_tool * mass, softening) +
                         static_cast<double>(plies - 1) * given_way(force, 0.5 * spring, softening);
     const double carried = static_cast<double>(plies) * t / std::cos(angle);
     EXPECT_NEAR(gap_of(scenes, world), carried - sunk, 0.05 * sunk + 1e-4) << plies;
