@@ -67,6 +67,23 @@ std::optional<ChosenDuration> try_on(Resolved model, double asked) {
   return std::nullopt;
 }
 
+// None where so coarse a mesh is too small or does not fit the blank or its tools.
+std::optional<Resolved> trial_model(const Scene& scene, const std::string& scene_file,
+                                    const std::vector<std::string>& overrides, double factor) {
+  auto coarser = overrides;
+  for (const std::string& coarsening : coarsened(scene, factor)) coarser.push_back(coarsening);
+  coarser.emplace_back("analysis.perturbation=0.0");  // a perturbed run is two runs
+  coarser.emplace_back("output.history=200");         // the share is read off the rows, however few the scene wants
+  try {
+    Resolved model = checked_model(scene_file, coarser, false, Look::for_first_complaint);
+    if (factor > 1.0 && model.mesh.cells.size() < least_cells) return std::nullopt;
+    return model;
+  } catch (const InputError&) {
+    if (factor == 1.0) throw;
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::optional<ChosenDuration> choose_duration(const std::string& scene_file,
@@ -75,22 +92,14 @@ std::optional<ChosenDuration> choose_duration(const std::string& scene_file,
   const AnalysisSpec& analysis = scene.analysis;
   if (!analysis.inertia || analysis.duration || analysis.loading_speed) return std::nullopt;
   for (const double factor : trial_factors) {
-    auto coarser = overrides;
-    for (const std::string& coarsening : coarsened(scene, factor)) coarser.push_back(coarsening);
-    coarser.emplace_back("analysis.perturbation=0.0");
-    try {
-      Resolved model = checked_model(scene_file, coarser, false, Look::for_first_complaint);
-      if (factor > 1.0 && model.mesh.cells.size() < least_cells) continue;
-      const auto chosen = try_on(std::move(model), *analysis.inertia);
-      if (chosen && chosen->share > 0.0) return chosen;
-      if (chosen)
-        throw InputError(fmt::format(
-            "{}: analysis.inertia asks for a duration by the inertia of what moves, and nothing does but by gravity or "
-            "not at all; give analysis.duration",
-            scene.file));
-    } catch (const InputError&) {
-      if (factor == 1.0) throw;  // a coarser mesh may not fit the blank or its tools
-    }
+    auto model = trial_model(scene, scene_file, overrides, factor);
+    const auto chosen = model ? try_on(std::move(*model), *analysis.inertia) : std::nullopt;
+    if (!chosen) continue;
+    if (chosen->share > 0.0) return chosen;
+    throw InputError(
+        fmt::format("{}: analysis.inertia asks for a duration by the inertia of what moves, and nothing does but by "
+                    "gravity or not at all; give analysis.duration",
+                    scene.file));
   }
   throw PhysicsError(fmt::format(
       "{}: no trial came to its end at which a duration for analysis.inertia could be read; give analysis.duration",

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "solver/contact/contact_node.hpp"
+
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
@@ -142,20 +144,13 @@ struct Contribution {
                                                        const double (&a)[3], double time, double (&stretch)[3],
                                                        double (&drag)[3]) {
   const double k = law.frequency2 * mass, c = law.damping_rate * mass;
-  const double gap = distance - law.offset;
-  const double p = gap < 0.0 ? -gap : 0.0;
-  const double soft = p < law.softening ? p : law.softening, engaged = soft * inverse_softening;
-  const double elastic = k * engaged * (p - 0.5 * soft);
-  const double beyond = p - soft;
-  const double stored_normal = k * (engaged * soft * soft / 6.0 + 0.5 * beyond * (soft + beyond));
-  const double approach = -(v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
-  const double total = elastic + c * engaged * approach;
-  const double normal = total > 0.0 ? total : 0.0;
+  const NormalSpring spring = normal_spring(law, law.offset, inverse_softening, k, c, distance, n, v);
+  const double normal = spring.force;
 
-  // what follows is written out: loops over components would keep the compiler from vectors of nodes
   const double dn = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
   const double t0 = d[0] - dn * n[0], t1 = d[1] - dn * n[1], t2 = d[2] - dn * n[2];
-  const double w0 = v[0] + approach * n[0], w1 = v[1] + approach * n[1], w2 = v[2] + approach * n[2];
+  const double w0 = v[0] + spring.approach * n[0], w1 = v[1] + spring.approach * n[1],
+               w2 = v[2] + spring.approach * n[2];
   const double centre0 = normal * a[0], centre1 = normal * a[1], centre2 = normal * a[2];
   const double q0 = -(k * t0 + c * w0) - centre0, q1 = -(k * t1 + c * w1) - centre1, q2 = -(k * t2 + c * w2) - centre2;
   const double a2 = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], cosine2 = 1.0 / (1.0 + a2), cosine = std::sqrt(cosine2);
@@ -174,23 +169,16 @@ struct Contribution {
                       (t2 - time * w2 + stretch[2]) * (t2 - stretch[2]);
   const double kept = stretch[0] * stretch[0] + stretch[1] * stretch[1] + stretch[2] * stretch[2];
 
-  const double drag_before = drag[0] * n[0] + drag[1] * n[1] + drag[2] * n[2], drag_now = normal - elastic;
-  const double along0 = drag[0] - drag_before * n[0], along1 = drag[1] - drag_before * n[1],
-               along2 = drag[2] - drag_before * n[2];
-  const double now0 = -cut * c * w0, now1 = -cut * c * w1, now2 = -cut * c * w2;
-  drag[0] = drag_now * n[0] + now0;
-  drag[1] = drag_now * n[1] + now1;
-  drag[2] = drag_now * n[2] + now2;
+  const DragPower power = advance_drag(spring, cut * c, n, w0, w1, w2, drag);
   Contribution out;
   out.force[0] = normal * n[0] + centre0 + cut * q0;
   out.force[1] = normal * n[1] + centre1 + cut * q1;
   out.force[2] = normal * n[2] + centre2 + cut * q2;
-  const double drag_power = (along0 + now0) * w0 + (along1 + now1) * w1 + (along2 + now2) * w2;
-  out.normal = elastic;
-  out.area = p > 0.0 ? area : 0.0;
-  out.energy = stored_normal + 0.5 * k * kept;
-  out.friction_work = 0.5 * k * slip - 0.5 * time * drag_power;
-  out.damping_work = 0.5 * time * (drag_before + drag_now) * approach;
+  out.normal = spring.elastic;
+  out.area = spring.depth > 0.0 ? area : 0.0;
+  out.energy = spring.stored + 0.5 * k * kept;
+  out.friction_work = 0.5 * k * slip - 0.5 * time * power.tangential;
+  out.damping_work = 0.5 * time * power.normal;
   return out;
 }
 
@@ -219,15 +207,7 @@ ContactSums chord_forces(const ContactLaw& law_given, const ContactTool& tool_gi
     const double lift_work = 0.5 * (memory.normal[i] + c.normal) * lifted;
     memory.lift[i] = terms.lift[i];
     memory.normal[i] = c.normal;
-    nodes.anchor[0][i] = y[0] - stretch[0];
-    nodes.anchor[1][i] = y[1] - stretch[1];
-    nodes.anchor[2][i] = y[2] - stretch[2];
-    nodes.drag[0][i] = drag[0];
-    nodes.drag[1][i] = drag[1];
-    nodes.drag[2][i] = drag[2];
-    nodes.force[0][i] += c.force[0];
-    nodes.force[1][i] += c.force[1];
-    nodes.force[2][i] += c.force[2];
+    keep_contact(nodes, i, y, stretch, drag, c.force);
     fx += c.force[0];
     fy += c.force[1];
     fz += c.force[2];
@@ -246,9 +226,6 @@ ContactSums chord_forces(const ContactLaw& law_given, const ContactTool& tool_gi
 }  // namespace
 
 extern const ChordLoops chord_loops;
-const ChordLoops chord_loops = {.chord_turns = chord_turns,
-
-                                .chord_terms = chord_terms,
-                                .chord_forces = chord_forces};
+const ChordLoops chord_loops = {.chord_turns = chord_turns, .chord_terms = chord_terms, .chord_forces = chord_forces};
 
 }  // namespace weaveform::WEAVEFORM_SET

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "solver/contact/contact_node.hpp"
+
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
@@ -10,31 +12,22 @@ struct Contribution {
   double force[3], area, energy, friction_work, damping_work, elastic;
 };
 
-// One node and one tool: the law of the header. `d` is the way from the anchor, `v` the speed relative to the tool;
-// `stretch` becomes what the tangential spring keeps, `drag` goes from the dampers' force at the step before to that of
-// now. `offset` is the node's. `inverse_softening` spares a division.
+// One node and one tool: the law of the header. `stretch` becomes what the tangential spring keeps, `drag` goes from the
+// dampers' force at the step before to that of now. `offset` is the node's.
 [[gnu::always_inline]] inline Contribution contact_force(const ContactLaw& law, double offset, double inverse_softening,
                                                          double mass, double area, double distance,
                                                          const double (&n)[3], const double (&d)[3],
                                                          const double (&v)[3], double time, double (&stretch)[3],
                                                          double (&drag)[3]) {
   const double k = law.frequency2 * mass, c = law.damping_rate * mass;
-  const double gap = distance - offset;
-  const double p = gap < 0.0 ? -gap : 0.0;
-  const double soft = p < law.softening ? p : law.softening, engaged = soft * inverse_softening;
-  const double elastic = k * engaged * (p - 0.5 * soft);
-  // integral of the normal force: k p^3/(6 d) to the depth d, k ((p - d/2)^2/2 + d^2/24) beyond
-  const double beyond = p - soft;
-  const double stored_normal = k * (engaged * soft * soft / 6.0 + 0.5 * beyond * (soft + beyond));
-  const double approach = -(v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
-  const double total = elastic + c * engaged * approach;
-  const double normal = total > 0.0 ? total : 0.0;
-  const double limit = law.friction * normal;
+  const NormalSpring spring = normal_spring(law, offset, inverse_softening, k, c, distance, n, v);
+  const double limit = law.friction * spring.force;
 
   // trial = k d + c w with the tangential parts of d and v, cut to the limit as a whole
   const double dn = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
   const double t0 = d[0] - dn * n[0], t1 = d[1] - dn * n[1], t2 = d[2] - dn * n[2];
-  const double w0 = v[0] + approach * n[0], w1 = v[1] + approach * n[1], w2 = v[2] + approach * n[2];
+  const double w0 = v[0] + spring.approach * n[0], w1 = v[1] + spring.approach * n[1],
+               w2 = v[2] + spring.approach * n[2];
   const double s0 = k * t0 + c * w0, s1 = k * t1 + c * w1, s2 = k * t2 + c * w2;
   const double size = std::sqrt(s0 * s0 + s1 * s1 + s2 * s2);
   const double cut = size > limit ? limit / size : 1.0;
@@ -42,26 +35,18 @@ struct Contribution {
   stretch[1] = cut * t1;
   stretch[2] = cut * t2;
   const double t_square = t0 * t0 + t1 * t1 + t2 * t2, t_w = t0 * w0 + t1 * w1 + t2 * w2;
-
-  const double drag_before = drag[0] * n[0] + drag[1] * n[1] + drag[2] * n[2], drag_now = normal - elastic;
-  const double along0 = drag[0] - drag_before * n[0], along1 = drag[1] - drag_before * n[1],
-               along2 = drag[2] - drag_before * n[2];
-  const double now0 = -cut * c * w0, now1 = -cut * c * w1, now2 = -cut * c * w2;
-  drag[0] = drag_now * n[0] + now0;
-  drag[1] = drag_now * n[1] + now1;
-  drag[2] = drag_now * n[2] + now2;
+  const DragPower power = advance_drag(spring, cut * c, n, w0, w1, w2, drag);
 
   Contribution out;
-  out.force[0] = normal * n[0] - cut * s0;
-  out.force[1] = normal * n[1] - cut * s1;
-  out.force[2] = normal * n[2] - cut * s2;
-  out.area = p > 0.0 ? area : 0.0;
-  out.energy = stored_normal + 0.5 * k * cut * cut * t_square;
+  out.force[0] = spring.force * n[0] - cut * s0;
+  out.force[1] = spring.force * n[1] - cut * s1;
+  out.force[2] = spring.force * n[2] - cut * s2;
+  out.area = spring.depth > 0.0 ? area : 0.0;
+  out.energy = spring.stored + 0.5 * k * cut * cut * t_square;
   // the spring's slip (1 - cut) t against half its force before, k (t - time w), and half of now's, k cut t
-  out.friction_work = 0.5 * k * (1.0 - cut) * ((1.0 + cut) * t_square - time * t_w) -
-                      0.5 * time * ((along0 + now0) * w0 + (along1 + now1) * w1 + (along2 + now2) * w2);
-  out.damping_work = 0.5 * time * (drag_before + drag_now) * approach;
-  out.elastic = elastic;
+  out.friction_work = 0.5 * k * (1.0 - cut) * ((1.0 + cut) * t_square - time * t_w) - 0.5 * time * power.tangential;
+  out.damping_work = 0.5 * time * power.normal;
+  out.elastic = spring.elastic;
   return out;
 }
 
@@ -87,15 +72,7 @@ ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_
     const Contribution c = contact_force(law, offset, inverse, nodes.mass[i], nodes.area[i], distances.distance[i], n,
                                          d, v, time, stretch, drag);
     if constexpr (swollen) nodes.load[i] += law.offset * c.elastic;
-    nodes.anchor[0][i] = y[0] - stretch[0];
-    nodes.anchor[1][i] = y[1] - stretch[1];
-    nodes.anchor[2][i] = y[2] - stretch[2];
-    nodes.drag[0][i] = drag[0];
-    nodes.drag[1][i] = drag[1];
-    nodes.drag[2][i] = drag[2];
-    nodes.force[0][i] += c.force[0];
-    nodes.force[1][i] += c.force[1];
-    nodes.force[2][i] += c.force[2];
+    keep_contact(nodes, i, y, stretch, drag, c.force);
     fx += c.force[0];
     fy += c.force[1];
     fz += c.force[2];

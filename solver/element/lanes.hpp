@@ -93,6 +93,8 @@ template <int parts>
   }
 WEAVEFORM_PACK_COMPARISON(<)
 WEAVEFORM_PACK_COMPARISON(>)
+#undef WEAVEFORM_PACK_OPERATOR
+#undef WEAVEFORM_PACK_COMPARISON
 
 #define WEAVEFORM_BITS_OPERATOR(op)                                                                   \
   template <int parts>                                                                                \
@@ -112,6 +114,7 @@ WEAVEFORM_BITS_OPERATOR(-)
 WEAVEFORM_BITS_OPERATOR(&)
 WEAVEFORM_BITS_OPERATOR(|)
 WEAVEFORM_BITS_OPERATOR(>>)
+#undef WEAVEFORM_BITS_OPERATOR
 
 // The same number everywhere.
 template <class T>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/state/row_blocks.hpp"
+
 namespace weaveform {
 namespace {
 
@@ -113,16 +115,10 @@ Bands make_bands(const PackedMesh& packed) {
 }
 
 std::vector<int> balanced_bands(const Bands& bands, int threads) {
-  const auto blocks_until = [&](int band) { return static_cast<long>(bands.nodes.first[bands.first_row[band]]); };
-  const long total = blocks_until(bands.size());
-  std::vector<int> first = {0};
+  std::vector<int> blocks;
   for (int b = 0; b < bands.size(); ++b)
-    if (static_cast<int>(first.size()) < threads &&
-        blocks_until(b + 1) * threads >= total * static_cast<long>(first.size()))
-      first.push_back(b + 1);
-  first.resize(threads, bands.size());
-  first.push_back(bands.size());
-  return first;
+    blocks.push_back(bands.nodes.first[bands.first_row[b + 1]] - bands.nodes.first[bands.first_row[b]]);
+  return balanced_shares(blocks, threads);
 }
 
 }  // namespace weaveform

@@ -6,6 +6,8 @@
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
+static_assert(lane_count == vector_width, "blocks of slots are packs");
+
 // ---- access: the slots of a loop and what stands there
 
 [[gnu::always_inline]] inline int blocks_of(const RowYarns& yarns) {

@@ -1,5 +1,7 @@
 #include "solver/state/row_blocks.hpp"
 
+#include <numeric>
+
 namespace weaveform {
 
 void clear_gaps(RowVectors& buffers, const RowRuns& runs, int row, int stride) {
@@ -21,19 +23,25 @@ Run united(Run a, Run b) {
   return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
 }
 
-std::vector<int> balanced_blocks(const PackedMesh& packed, int threads) {
-  long total = 0;
-  for (int j = 0; j < packed.rows; ++j) total += packed.span(j).end - packed.span(j).begin;
+std::vector<int> balanced_shares(const std::vector<int>& work, int threads) {
+  const long total = std::accumulate(work.begin(), work.end(), 0L);
+  const int items = static_cast<int>(work.size());
   std::vector<int> first = {0};
   long sum = 0;
-  for (int j = 0; j < packed.rows; ++j) {
-    sum += packed.span(j).end - packed.span(j).begin;
+  for (int k = 0; k < items; ++k) {
+    sum += work[k];
     if (sum * threads >= total * static_cast<long>(first.size()) && static_cast<int>(first.size()) < threads)
-      first.push_back(j + 1);
+      first.push_back(k + 1);
   }
-  first.resize(threads, packed.rows);
-  first.push_back(packed.rows);
+  first.resize(threads, items);
+  first.push_back(items);
   return first;
+}
+
+std::vector<int> balanced_blocks(const PackedMesh& packed, int threads) {
+  std::vector<int> nodes;
+  for (int j = 0; j < packed.rows; ++j) nodes.push_back(packed.span(j).end - packed.span(j).begin);
+  return balanced_shares(nodes, threads);
 }
 
 }  // namespace weaveform

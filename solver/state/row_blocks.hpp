@@ -35,7 +35,11 @@ void clear_gaps(RowVectors& buffers, const RowRuns& runs, int row, int stride);
 
 [[nodiscard]] Run united(Run a, Run b);
 
-// Rows in blocks of about equal numbers of nodes, one block a thread: block b has rows first[b] to first[b + 1] - 1.
+// Items of so much work each in shares of about equal work, one share a thread: share t has the items first[t] to
+// first[t + 1] - 1.
+[[nodiscard]] std::vector<int> balanced_shares(const std::vector<int>& work, int threads);
+
+// Rows in blocks of about equal numbers of nodes.
 [[nodiscard]] std::vector<int> balanced_blocks(const PackedMesh& packed, int threads);
 
 }  // namespace weaveform
