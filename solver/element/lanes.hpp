@@ -191,6 +191,14 @@ struct Place {
   int at[parts];
 };
 
+template <int parts>
+[[gnu::always_inline]] inline Place<parts> moved(const Place<parts>& place, int way) {
+  Place<parts> result;
+#pragma GCC unroll 8
+  for (int i = 0; i < parts; ++i) result.at[i] = place.at[i] + way;
+  return result;
+}
+
 template <class T>
 [[gnu::always_inline]] inline T load(const double* p, int at) {
   static_assert(sizeof(T) == sizeof(double));

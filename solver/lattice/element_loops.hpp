@@ -8,6 +8,7 @@
 #include "solver/element/lanes.hpp"
 #include "solver/element/shear_cell.hpp"
 #include "solver/element/yarn.hpp"
+#include "solver/lattice/slot_blocks.hpp"
 
 namespace weaveform {
 
@@ -15,14 +16,6 @@ namespace weaveform {
 struct NodeArrays {
   const double* position[3];
   const double* velocity[3];
-};
-
-// The slots of a row or more: `count` blocks, block[k] the packed index of the first slot of one. What is computed goes
-// to index slot - origin of the output.
-struct SlotBlocks {
-  const int* block;
-  int count;
-  int origin;
 };
 
 // Sums are kept for each lane, so that no block ends with one.
@@ -120,44 +113,12 @@ using StartedShear = KernelShear<PaperShearLaw>;
 using GeneralShear = KernelShear<GeneralLaw>;
 enum class ShearShape { paper, started, general };
 
-// The force on the node of each slot n, from the elements of its row at slot n - origin and of the row below at
-// n - below_origin of theirs:
-//   f = along[n] - along[n-1] + p[n] - q[n-1] + across[n]  +  q'[n'] - p'[n'-1] - across'[n'] ,  n' = n - next below
-struct RowForces {
-  const double *along[3], *across[3], *p[3], *q[3];
-  int origin;
-};
-using AssembleLoop = void (*)(const int* block, int count, int next, const RowForces& here, const RowForces& below,
-                              double* const (&force)[3]);
-
-// Zero in the blocks of each of the arrays.
-using ClearLoop = void (*)(const SlotBlocks& slots, double* const* arrays, int count);
-
-// One leapfrog step of nodes (Newmark 1959, beta = 0, velocities at half steps), in each component
-//   v+ = keep * v- + kick * f / m ,   x+ = x + drift * v+
-// and, into the lanes of `sums`, m v0^2 with v0 = (v- + v+)/2.
-struct NodeMotion {
-  const double *inverse_mass, *mass;  // 1/tonne, tonne; 0 where no node is
-  const double* force[3];             // N
-  double* velocity[3];
-  double* position[3];
-};
-struct LeapfrogStep {
-  double keep, kick, drift;  // 1, s, s
-};
-// Of the nodes in [begin[r], end[r]).
-using AdvanceLoop = void (*)(const NodeMotion& nodes, const LeapfrogStep& step, const int* begin, const int* end,
-                             int ranges, double (&sums)[lane_count]);
-
 // One compilation of all of it (core/instructions/choose_loops.hpp). `paper` says that the law at hand is a PaperLaw;
 // otherwise it is a GeneralLaw.
 struct ElementLoops {
   YarnLoops (*yarns)(Section section, bool paper);
   CellLoops (*cells)(Formulation formulation, Thickness thickness, ShearShape shape);
   HistoryCellLoops (*history_cells)(Frame frame, Thickness thickness, ShearShape shape);
-  ClearLoop clear;
-  AssembleLoop assemble;
-  AdvanceLoop advance;
 };
 
 // The one for this processor.

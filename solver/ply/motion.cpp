@@ -1,6 +1,6 @@
 #include "solver/ply/motion.hpp"
 
-#include "solver/lattice/element_loops.hpp"
+#include "solver/lattice/node_loops.hpp"
 
 namespace weaveform {
 
@@ -46,7 +46,7 @@ const Motion::Outcome& Motion::advance(State& state, std::vector<Grip>& grips, c
   }
 
   // One sum per chunk and lane, added in order below: the same bits for any number of threads.
-  const AdvanceLoop advance_nodes = element_loops().advance;
+  const AdvanceLoop advance_nodes = node_loops().advance;
   team_.run(static_cast<int>(sums_.size()), [&](int k) {
     for (double& lane : sums_[k].lane) lane = 0.0;
     advance_nodes(nodes, {keep, kick, step}, begin_.data() + chunk_[k], end_.data() + chunk_[k],
