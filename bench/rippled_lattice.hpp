@@ -18,12 +18,14 @@ struct RippledLattice {
   std::unique_ptr<Ply> ply;
 
   // `cells` along each side; `yarn_angle` in degrees.
-  RippledLattice(int cells, double yarn_angle, const ModelSpec& model, Team& team) {
+  RippledLattice(int cells, double yarn_angle, const ModelSpec& model, Team& team,
+                 Precision precision = Precision::double_precision) {
     const double side = cells * card.yarn[0].interval;
     scene.blank.size = {side, side};
     scene.blank.yarn_angle = yarn_angle;
     scene.blank.fit = LineFit::none;
     scene.model = model;
+    scene.analysis.precision = precision;
     scene.analysis.step_bound = StepBound::stiffest;  // the step is set once, before strains are known
     mesh = build_mesh(scene, card);
     ply = std::make_unique<Ply>(PlySetup{.whole = mesh, .scene = scene, .card = card, .damping = 1.0, .team = team});
@@ -33,6 +35,13 @@ struct RippledLattice {
       state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
       state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
     }
+  }
+
+  // As the analysis makes it.
+  void make_step(double step) {
+    if (ply->moves_in_one_pass()) return ply->compute_forces_and_advance(step, step);
+    ply->compute_forces(step);
+    ply->advance(step, step, false);
   }
 };
 

@@ -14,8 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "bench/machine_peak.hpp"
 #include "bench/plain_loop.hpp"
 #include "bench/rippled_lattice.hpp"
+#include "bench/step_costs.hpp"
 #include "core/files/files.hpp"
 #include "core/version/version.hpp"
 #include "mesher/lattice/build.hpp"
@@ -55,8 +57,8 @@ struct Lattice {
   Team one{1}, two{2};
   RippledLattice of[2];
 
-  Lattice(int cells, double yarn_angle, const ModelSpec& model)
-      : of{{cells, yarn_angle, model, one}, {cells, yarn_angle, model, two}} {
+  Lattice(int cells, double yarn_angle, const ModelSpec& model, Precision precision)
+      : of{{cells, yarn_angle, model, one, precision}, {cells, yarn_angle, model, two, precision}} {
     for (auto& lattice : of) {
       (void)lattice.ply->renew_stable_step();
       lattice.ply->compute_forces(step);
@@ -65,25 +67,18 @@ struct Lattice {
 
   Measured run(int threads) {
     using Clock = std::chrono::steady_clock;
-    Ply& its = *of[threads - 1].ply;
     Measured measured;
     for (const auto begin = Clock::now(); measured.seconds < window;
          measured.seconds = std::chrono::duration<double>(Clock::now() - begin).count())
-      for (int k = 0; k < 4; ++k, ++measured.steps) {
-        its.compute_forces(step);
-        its.advance(step, step, false);
-      }
+      for (int k = 0; k < 4; ++k, ++measured.steps) of[threads - 1].make_step(step);
     measured.cell_steps = static_cast<double>(measured.steps) * of[0].mesh.cells.size();
     return measured;
   }
 };
 
-Case lattice_case(const std::string& name, int cells, double angle, YarnElement yarn = YarnElement::truss,
-                  CellElement cell = CellElement::membrane) {
-  ModelSpec model;
-  model.yarn = yarn;
-  model.cell = cell;
-  const auto lattice = std::make_shared<Lattice>(cells, angle, model);
+Case lattice_case(const std::string& name, int cells, double angle, const ModelSpec& model = {},
+                  Precision precision = Precision::double_precision) {
+  const auto lattice = std::make_shared<Lattice>(cells, angle, model, precision);
   return {.name = name, .cells = lattice->of[0].mesh.cells.size(), .run = [lattice](int t) { return lattice->run(t); }};
 }
 
@@ -106,12 +101,24 @@ Case scene_case(const std::string& name, const std::string& example, std::vector
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const int n : {30, 100, 400, 1000}) cases.push_back(lattice_case(fmt::format("flat {}²", n), n, 0.0));
-  for (const int n : {26, 100}) cases.push_back(lattice_case(fmt::format("cut at 45°, side of {} cells", n), n, 45.0));
-  cases.push_back(lattice_case("flat 100², beams", 100, 0.0, YarnElement::beam));
-  cases.push_back(
-      lattice_case("flat 100², rotation-free cells", 100, 0.0, YarnElement::truss, CellElement::rotation_free));
+  constexpr Precision single = Precision::single_precision;
+  for (const int n : {30, 100, 400, 1000}) {
+    cases.push_back(lattice_case(fmt::format("flat {}²", n), n, 0.0));
+    cases.push_back(lattice_case(fmt::format("flat {}², single precision", n), n, 0.0, {}, single));
+  }
+  for (const int n : {26, 100}) {
+    cases.push_back(lattice_case(fmt::format("cut at 45°, side of {} cells", n), n, 45.0));
+    cases.push_back(
+        lattice_case(fmt::format("cut at 45°, side of {} cells, single precision", n), n, 45.0, {}, single));
+  }
+  ModelSpec beams, rotation_free;
+  beams.yarn = YarnElement::beam;
+  rotation_free.cell = CellElement::rotation_free;
+  cases.push_back(lattice_case("flat 100², beams", 100, 0.0, beams));
+  cases.push_back(lattice_case("flat 100², rotation-free cells", 100, 0.0, rotation_free));
   cases.push_back(scene_case("bias extension PW, coarsening 1", "bias_extension_pw", {}));
+  cases.push_back(scene_case("bias extension PW, coarsening 1, single precision", "bias_extension_pw",
+                             {"analysis.precision=single"}));
   cases.push_back(scene_case("hemisphere, fast scene (coarsening 2)", "hemisphere_pw_fast", {}));
   cases.push_back(scene_case("hemisphere, fast scene, coarsening 0.5", "hemisphere_pw_fast",
                              {"blank.coarsening=0.5", "tools.punch.travel=10", "analysis.duration=0.01"}));
@@ -130,6 +137,37 @@ std::string table(const std::vector<Case>& cases, double mark) {
                         one.whole ? fmt::format("{:.3f}, {:.3f}", median(one.seconds[0]), median(one.seconds[1])) : "");
   }
   return text;
+}
+
+double rate_of(const std::vector<Case>& cases, const std::string& name) {
+  for (const Case& one : cases)
+    if (one.name == name) return median(one.rate[0]);
+  return 0.0;
+}
+
+// What a cell-step needs, what the machine gives at best, and how near the loop comes to it.
+std::string limits(const std::vector<Case>& cases) {
+  const Operations step_needs = operations_of_a_cell_step();
+  const double flops = step_needs.sums + step_needs.products, divisions = step_needs.divisions;
+  const double arithmetic = arithmetic_rate(window), division = division_rate(window);
+  constexpr long cached = 20'000, large = 20'000'000;  // doubles of an array: in the second cache, in none
+  const double from_cache = memory_rate(cached, window), from_memory = memory_rate(large, 4.0 * window);
+  const double least = flops / arithmetic + divisions / division;  // ns
+  const double small = rate_of(cases, "flat 100²"), big = rate_of(cases, "flat 1000²");
+  return fmt::format(
+      "A cell-step is {:.0f} sums and products, {:.0f} divisions and {:.0f} choices, counted by running the element "
+      "bodies\nwith a number that counts (`bench/counted.hpp`), and moves {:.0f} bytes at least ({:.0f} where forces "
+      "and motion are two\npasses). One core of this machine does {:.1f} G sums and products a second in the same "
+      "shares, not fused, or {:.2f} G\ndivisions, from registers; and moves {:.1f} GB/s in its second cache, {:.1f} "
+      "GB/s in memory.\n\n"
+      "| | of the loop, a second | at best | share |\n|---|---:|---:|---:|\n"
+      "| flat 100²: arithmetic, divisions apart | {:.1f} G | {:.1f} G | {:.2f} |\n"
+      "| flat 100²: time of its arithmetic and divisions | {:.1f} ns a cell-step | {:.1f} ns | {:.2f} |\n"
+      "| flat 1000²: bytes | {:.1f} GB | {:.1f} GB | {:.2f} |\n",
+      flops, divisions, step_needs.choices, bytes_of_a_cell_step, bytes_in_two_passes, arithmetic, division, from_cache,
+      from_memory, 1e-3 * small * flops, arithmetic, 1e-3 * small * flops / arithmetic, 1e3 / small, least,
+      least * small * 1e-3, 1e-3 * big * bytes_of_a_cell_step, from_memory,
+      1e-3 * big * bytes_of_a_cell_step / from_memory);
 }
 
 int write_table(const std::filesystem::path& file, int rounds) {
@@ -164,7 +202,7 @@ int write_table(const std::filesystem::path& file, int rounds) {
   for (std::size_t k = 0; k < plain_size.size(); ++k)
     text += fmt::format("| {}² | {:.1f} | {:.2f} | {:.1f} | {:.2f} |\n", plain_size[k], median(plain[k]),
                         median(plain[k]) / mark, median(plain_single[k]), median(plain_single[k]) / mark);
-  text += "\n" + table(cases, mark);
+  text += "\n" + table(cases, mark) + "\n" + limits(cases);
   write_text_whole(file, text);
   std::fputs(text.c_str(), stdout);
   return 0;

@@ -6,6 +6,9 @@
 # and for those with AVX-512. What is listed here is what core/instructions/instructions.cpp asks the processor for. The
 # rest of the program runs anywhere. Elsewhere, and with WEAVEFORM_NATIVE, they are compiled once.
 set(inner_loop_flags -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd)
+if(WEAVEFORM_INSTRUMENTED)
+  list(APPEND inner_loop_flags -O1)  # what sanitizers add to unrolled loops takes minutes to compile
+endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
   # clang 14 leaves the gathering loops over the outline's few loose elements scalar; that is slower, not wrong
   list(APPEND inner_loop_flags -Wno-pass-failed)

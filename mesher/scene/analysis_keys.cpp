@@ -39,6 +39,11 @@ const std::vector<Key<AnalysisSpec>>& analysis_keys() {
                   "yarns have reached so far, watched at every step; `stiffest`, the law's greatest up to a true "
                   "strain of "
                   "0.5: two to eight times more steps where yarns decrimp (docs/accuracy.md)"}),
+      key<&AnalysisSpec::precision>(
+          {.name = "precision",
+           .doc = "of what yarns and cells compute; `single` is faster and off by some 1e-7 of each element's force: "
+                  "positions, their differences, motion, contact, bending and energies stay in double precision "
+                  "(docs/accuracy.md). Not with the formulations that add up a cell's stress"}),
       key<&AnalysisSpec::bending_every>(
           {.name = "bending_every",
            .unit = "1",

@@ -192,6 +192,19 @@ void check_contact_thickness(const Scene& scene, const ModelSpec& model, const t
     complaints.add(place, "'contact_thickness' is of no use here: nothing touches the fabric; add a tool or a [[ply]]");
 }
 
+void check_precision(const Scene& scene, const toml::table& analysis, Complaints& complaints) {
+  if (scene.analysis.precision != Precision::single_precision) return;
+  const auto complain = [&](const ModelSpec& model) {
+    if (has_cell_history(model.formulation))
+      complaints.add(place_of(analysis, "precision"),
+                     fmt::format("'precision' is single, but formulation = '{}' adds up what every step brings, which "
+                                 "needs double; leave one of them out",
+                                 name_of(model.formulation)));
+  };
+  if (scene.ply.empty()) complain(scene.model);
+  for (const PlySpec& ply : scene.ply) complain(ply.model);
+}
+
 constexpr std::size_t most_plies = 100;
 
 // What each ply has of fabric, blank and model is checked like those tables themselves.
@@ -283,6 +296,7 @@ void check_scene(const Scene& scene, const toml::table& root, Complaints& compla
   check_tools(scene, root, complaints);
   check_drape(scene, root, complaints);
   const toml::table* analysis = table_at(root, "analysis", 0);
+  if (analysis != nullptr) check_precision(scene, *analysis, complaints);
   if (analysis != nullptr && scene.analysis.duration && scene.analysis.loading_speed) {
     complaints.add(place_of(*analysis, "loading_speed"),
                    "[analysis] has both 'duration' and 'loading_speed'; keep one, each follows from the other");

@@ -52,6 +52,10 @@ constexpr auto choices_of(Formulation) {
                                              {Formulation::incremental, "incremental"},
                                              {Formulation::side_frame, "side-frame"}});
 }
+// Whether a cell's stress is the sum of what steps brought.
+constexpr bool has_cell_history(Formulation formulation) {
+  return formulation == Formulation::incremental || formulation == Formulation::side_frame;
+}
 
 // model.thickness
 enum class Thickness { constant_volume, constant };
@@ -115,6 +119,13 @@ constexpr auto choices_of(ToolShape) {
 
 // analysis.step_bound: "reached": the stable step is that of the stiffest tangent that yarns have reached
 // (solver/ply/reach.hpp); "stiffest": of their law's stiffest.
+// analysis.precision: of what yarns and cells compute.
+enum class Precision { double_precision, single_precision };
+constexpr auto choices_of(Precision) {
+  return std::to_array<Choice<Precision>>(
+      {{Precision::double_precision, "double"}, {Precision::single_precision, "single"}});
+}
+
 enum class StepBound { stiffest, reached };
 constexpr auto choices_of(StepBound) {
   return std::to_array<Choice<StepBound>>({{StepBound::stiffest, "stiffest"}, {StepBound::reached, "reached"}});

@@ -164,6 +164,7 @@ struct AnalysisSpec {
   Auto inertia;              // 1; share of the loads that inertia may be: the duration is chosen by it, the run warns
   double step_factor = 0.9;  // fraction of the stable step
   StepBound step_bound = StepBound::reached;
+  Precision precision = Precision::double_precision;
   int bending_every = 1;    // steps from one evaluation of bending to the next
   double mass_scale = 1.0;  // factor on the fabric's mass, not on its weight
   Auto contact_stiffness;   // 1; factor on the contact springs of the tools; auto: 0.5, with step_bound "stiffest" 1

@@ -72,6 +72,7 @@ WorldSetup Analysis::world_setup() {
 SolveResult Analysis::run() {
   open();
   while (step_on()) {
+    while (goes_on_plainly()) pass_on();
     renew_forces();
     look_at_checkpoint();
   }
@@ -97,6 +98,22 @@ bool Analysis::step_on() {
 
 void Analysis::renew_forces() {
   world_.compute_forces();
+  if (world_.passes_reach() && !world_.moves_in_one_pass()) renew_step();
+}
+
+// Whether the next step is one that nobody looks at: forces and motion may then be one pass.
+bool Analysis::goes_on_plainly() const {
+  return world_.moves_in_one_pass() && world_.steps() % check_interval != 0 && !world_.finished() &&
+         !outputs_.due(world_.time()) && !checkpoint_due() &&
+         !(options_.most_steps > 0 && world_.steps() + 1 >= options_.most_steps);
+}
+
+void Analysis::pass_on() {
+  pace_.next_step();
+  const double time = world_.time();
+  world_.compute_forces_and_advance();
+  outputs_.record_forces(world_, time);
+  outputs_.append_rows();
   if (world_.passes_reach()) renew_step();
 }
 
@@ -179,6 +196,7 @@ void Analysis::step(bool last) {
   const double time = world_.time();
   world_.advance(last);
   outputs_.record_forces(world_, time);
+  if (!last && world_.moves_in_one_pass() && world_.passed_reach()) renew_step();
 }
 
 void Analysis::close_outputs() {
@@ -195,13 +213,20 @@ bool Analysis::stops_here() const {
   return options_.most_steps > 0 && world_.steps() >= options_.most_steps;
 }
 
-void Analysis::look_at_checkpoint() {
-  const bool stop = (options_.stop_requested && options_.stop_requested()) ||
-                    (options_.stop_at_step > 0 && world_.steps() >= options_.stop_at_step);
-  const bool due = world_.steps() % clock_look == 0 && clock_.due();
+bool Analysis::stop_asked() const {
+  return (options_.stop_requested && options_.stop_requested()) ||
+         (options_.stop_at_step > 0 && world_.steps() >= options_.stop_at_step);
+}
+
+bool Analysis::checkpoint_due() const {
   // what follows a perturbed run, the same without, takes as long again
   const bool before_clean_run = scene_.analysis.perturbation > 0.0 && world_.finished();
-  if (stop || due || before_clean_run) leave_checkpoint();
+  return stop_asked() || before_clean_run || (world_.steps() % clock_look == 0 && clock_.due());
+}
+
+void Analysis::look_at_checkpoint() {
+  const bool stop = stop_asked();
+  if (stop || checkpoint_due()) leave_checkpoint();
   if (!stop) return;
   if (checkpoint_file_.empty()) throw Interrupted("interrupted");
   throw Interrupted(fmt::format("stopped at t = {:.4g} s of {:.4g} s, step {}; go on with --resume ({})", world_.time(),

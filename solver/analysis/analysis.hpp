@@ -50,6 +50,10 @@ private:
   void step(bool last);
   void close_outputs();
   [[nodiscard]] bool stops_here() const;
+  [[nodiscard]] bool goes_on_plainly() const;
+  void pass_on();
+  [[nodiscard]] bool stop_asked() const;
+  [[nodiscard]] bool checkpoint_due() const;
   void look_at_checkpoint();
   void leave_checkpoint();
   void report_progress();

@@ -154,6 +154,10 @@ bool World::passes_reach() {
   return passes;
 }
 
+bool World::passed_reach() const {
+  return std::any_of(plies_.begin(), plies_.end(), [](const auto& ply) { return ply->passed_reach(); });
+}
+
 void World::compute_forces() {
   if (tools_) tools_->advance(time());
   for (std::size_t k = 0; k < plies_.size(); ++k)
@@ -167,20 +171,40 @@ void World::compute_forces() {
   tools_->gather(loads_);
 }
 
-void World::advance(bool last) {
+// Grips know the way they have to go; returns the step's length, s.
+double World::begin_step(bool last) {
   const double now = time(), step = last ? step_ : std::min(step_, duration_ - now);
-  for (auto& ply : plies_) {
-    ply->holds().set_displacements(now / duration_, (now + step) / duration_);
-    ply->advance(step_before_, step, last);
-  }
-  close_balance();
-  if (last) return;
+  for (auto& ply : plies_) ply->holds().set_displacements(now / duration_, (now + step) / duration_);
+  return step;
+}
+
+void World::end_step(double step) {
+  const double after = time() + step;
   for (auto& ply : plies_) {
     State& state = ply->state();
-    state.time = now + step >= duration_ ? duration_ : now + step;
+    state.time = after >= duration_ ? duration_ : after;
     ++state.step;
   }
   step_before_ = step;
+}
+
+void World::advance(bool last) {
+  const double step = begin_step(last);
+  for (auto& ply : plies_) ply->advance(step_before_, step, last);
+  close_balance();
+  if (!last) end_step(step);
+}
+
+bool World::moves_in_one_pass() const {
+  return !ply_contact_ &&
+         std::all_of(plies_.begin(), plies_.end(), [](const auto& ply) { return ply->moves_in_one_pass(); });
+}
+
+void World::compute_forces_and_advance() {
+  const double step = begin_step(false);
+  for (auto& ply : plies_) ply->compute_forces_and_advance(step_before_, step);
+  close_balance();
+  end_step(step);
 }
 
 // Everything but the internal energy, which only output times need.

@@ -75,14 +75,20 @@ public:
   [[nodiscard]] double smallest_step() const { return smallest_step_; }  // s; so far
   [[nodiscard]] const std::string& step_set_by() const { return step_set_by_; }
   // Whether yarns come to strains beyond what the step allows, or plies to press each other that had not: it must be
-  // renewed at once.
+  // renewed at once, or where all moves in one pass, after the motion: what is looked at lies further ahead.
   [[nodiscard]] bool passes_reach();
+  // Whether any call since the step was renewed said so of the yarns.
+  [[nodiscard]] bool passed_reach() const;
 
   // One step with the forces at hand; energies and grip forces are then known for its beginning. With `last` the clock
   // and positions stay.
   void advance(bool last);
   // Forces, at the present positions and time.
   void compute_forces();
+  // Without contact and other actors, forces and the step from there can be one pass over memory, with the bits of
+  // compute_forces() and advance(false).
+  [[nodiscard]] bool moves_in_one_pass() const;
+  void compute_forces_and_advance();
 
   // Of the whole: kinetic energy, losses and outside work at the beginning of the last step, internal energy at the
   // last look.
@@ -97,6 +103,8 @@ public:
 private:
   void make_tools(const WorldSetup& setup);
   void make_ply_contact(const WorldSetup& setup);
+  [[nodiscard]] double begin_step(bool last);
+  void end_step(double step);
   void close_balance();
 
   std::vector<std::unique_ptr<Ply>> plies_;

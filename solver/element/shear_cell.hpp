@@ -60,7 +60,7 @@ template <Formulation formulation, Thickness thickness, class Shear, class T>
   const T inverse = inverse_root<T>(square1 * square2);
   // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the
   // cell.
-  constexpr double limit = 1.0 - 1e-12;
+  constexpr double limit = std::is_same_v<Real<T>, float> ? 1.0 - 6e-8 : 1.0 - 1e-12;
   const T s = at_least(at_most<T>(dot * inverse, limit), -limit);
   square = s * s;
   T force = volume * law.stress(half_log<T>(1.0 + s, 1.0 - s));

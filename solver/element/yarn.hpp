@@ -10,13 +10,13 @@
 
 namespace weaveform {
 
-// Force per length, N/L (N/mm): the nodal force is this times the vector between the nodes. `length_squared` is L^2 and
-// `rest` L0, in mm; no square root is needed when the section is incompressible. Sets `inverse` to 1/L^2, which comes
-// with the strain's own division.
+// Force per length, N/L (N/mm): the nodal force is this times the vector between the nodes. `length_squared` is L^2,
+// `rest` L0 and `excess` L^2 - L0^2, in mm, the last with all the digits that there are: the strain hangs on it. No square
+// root is needed when the section is incompressible. Sets `inverse` to 1/L^2, which comes with the strain's own division.
 template <Section section, class Law, class T>
-[[gnu::always_inline]] inline T yarn_force_per_length(const Law& law, const T& length_squared, const T& rest,
-                                                      const T& area, T& inverse) {
-  const HalfLog<T> strain = half_log_parts<T>(length_squared, rest * rest);
+[[gnu::always_inline]] inline T yarn_force_per_length(const Law& law, const T& length_squared, const T& excess,
+                                                      const T& rest, const T& area, T& inverse) {
+  const HalfLog<T> strain = half_log_parts<T>(length_squared, rest * rest, excess);
   if constexpr (section == Section::incompressible) {
     const T both = 1.0 / (strain.denominator * length_squared);
     inverse = both * strain.denominator;
@@ -30,14 +30,14 @@ template <Section section, class Law, class T>
   }
 }
 
-// A yarn that reaches `jaw` mm into a grip: strain and force of the whole length, L + jaw over L0 + jaw = `rest`.
-// `inverse` as above; `inverse_length` is 1/L.
+// A yarn that reaches `jaw` mm into a grip: strain and force of the whole length L + jaw, the force over L. `excess` is
+// that of `whole` over `rest`, L0 + jaw; `inverse` as above, of L; `inverse_length` is 1/L.
 template <Section section, class Law, class T>
-[[gnu::always_inline]] inline T yarn_force_per_length(const Law& law, const T& length_squared, const T& inverse_length,
-                                                      const T& rest, const T& jaw, const T& area, T& inverse) {
-  const T whole = length_squared * inverse_length + jaw;
+[[gnu::always_inline]] inline T jawed_yarn_force_per_length(const Law& law, const T& whole, const T& excess,
+                                                            const T& inverse_length, const T& rest, const T& area,
+                                                            T& inverse) {
   T inverse_whole;
-  const T per_whole = yarn_force_per_length<section, Law, T>(law, whole * whole, rest, area, inverse_whole);
+  const T per_whole = yarn_force_per_length<section, Law, T>(law, whole * whole, excess, rest, area, inverse_whole);
   inverse = inverse_length * inverse_length;
   return per_whole * whole * inverse_length;
 }

@@ -10,28 +10,29 @@
 
 namespace weaveform {
 
-// The element forces of one band, N: on a slot's node by the warp element that starts there, by the weft element, and
-// the two of the cell (element_loops.hpp). Slot n stands at n - origin, readable from one slot before the band to one
-// behind it.
+// The element forces of one band, N, in double or in single precision: on a slot's node by the warp element that starts
+// there, by the weft element, and the two of the cell (element_loops.hpp). Slot n stands at n - origin, readable from one
+// slot before the band to one behind it.
+template <class Real>
 class BandForces {
 public:
   explicit BandForces(int slots) {
-    for (auto& array : array_) array.assign(slots + 2 * guard, 0.0);
+    for (auto& array : array_) array.assign(slots + 2 * guard, Real{0});
   }
   void place(int origin) { origin_ = origin; }
   [[nodiscard]] int origin() const { return origin_; }
   // Component c.
-  double* along(int c) { return array_[c].data() + guard; }
-  double* across(int c) { return array_[3 + c].data() + guard; }
-  double* p(int c) { return array_[6 + c].data() + guard; }
-  double* q(int c) { return array_[9 + c].data() + guard; }
+  Real* along(int c) { return array_[c].data() + guard; }
+  Real* across(int c) { return array_[3 + c].data() + guard; }
+  Real* p(int c) { return array_[6 + c].data() + guard; }
+  Real* q(int c) { return array_[9 + c].data() + guard; }
 
   static constexpr int along_arrays = 3, between_arrays = 9;
-  [[nodiscard]] std::array<double*, along_arrays> along_array() { return {along(0), along(1), along(2)}; }
-  [[nodiscard]] std::array<double*, between_arrays> between_array() {
+  [[nodiscard]] std::array<Real*, along_arrays> along_array() { return {along(0), along(1), along(2)}; }
+  [[nodiscard]] std::array<Real*, between_arrays> between_array() {
     return {across(0), across(1), across(2), p(0), p(1), p(2), q(0), q(1), q(2)};
   }
-  [[nodiscard]] RowForces row() {
+  [[nodiscard]] RowForces<Real> row() {
     return {{along(0), along(1), along(2)},
             {across(0), across(1), across(2)},
             {p(0), p(1), p(2)},
@@ -40,8 +41,9 @@ public:
   }
 
 private:
-  static constexpr int guard = 8;  // a cache line, so that slots stay aligned; a block that clears ends in it
-  std::array<Doubles, 12> array_;
+  static constexpr int guard =
+      64 / sizeof(Real);  // a cache line, so that slots stay aligned; a block that clears ends in it
+  std::array<std::vector<Real, CacheLineAllocator<Real>>, 12> array_;
   int origin_ = 0;
 };
 

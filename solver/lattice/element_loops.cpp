@@ -47,10 +47,16 @@ static_assert(lane_count == vector_width, "blocks of slots are packs");
   return 0;
 }
 
-// How many vectors a loop takes at once, less than a block or blocks of them: several where an element's chain of steps
-// leaves the processor waiting, one where more numbers no longer fit its registers. Measured, ns for a block of yarns and
-// of cells: AVX-512 1: 17, 40; 2: 22, 30; AVX2 1: 26, -; 2: 37, 52; SSE2 1: 61, -; 2: -, 129; 4: 48, 90.
-constexpr int yarns_at_once = native_width == 2 ? 4 : 1, cells_at_once = native_width == 2 ? 4 : 2;
+// How many vectors of double precision a loop takes at once, or as many numbers in half as many vectors of single
+// precision: less than a block or blocks of them. Several where an element's chain of steps leaves the processor waiting,
+// one where more numbers no longer fit its registers. Measured, ns for a block of yarns and of cells in double precision:
+// AVX-512 1: 17, 40; 2: 22, 30; AVX2 1: 26, -; 2: 37, 52; SSE2 1: 61, -; 2: -, 129; 4: 48, 90.
+template <class Real>
+constexpr int yarns_at_once = native_width == 2 ? 4 : 1;
+template <class Real>
+constexpr int cells_at_once = native_width == 2 ? 4 : 2;
+template <>
+constexpr int yarns_at_once<float> = native_width == 2 ? 4 : 2;
 constexpr int at_least_one(int n) {
   return n > 0 ? n : 1;
 }
@@ -59,39 +65,66 @@ constexpr int blocks_at_once = at_least_one(vectors / parts_of_block);
 template <int vectors>
 constexpr int turns_in_block = at_least_one(parts_of_block / vectors);
 
-// Slots of turn t through the block k, or of the blocks from k on.
-template <int vectors, class Elements>
-[[gnu::always_inline]] inline Place<vectors> place_of(const Elements& elements, int k, int turn) {
+// Slots of turn t through the block k, or of the blocks from k on, where numbers of type T stand; `repeated`: of the block
+// k, again and again.
+template <class T, bool repeated, class Elements>
+[[gnu::always_inline]] inline auto place_of(const Elements& elements, int k, int turn) {
+  constexpr int vectors = T::width / native_width;
   Place<vectors> place;
 #pragma GCC unroll 8
   for (int i = 0; i < vectors; ++i) {
-    const int part = turn * vectors + i;
-    place.at[i] = first_of(elements, k + part / parts_of_block) + part % parts_of_block * native_width;
+    const int part = turn * vectors + i, further = repeated ? 0 : part / parts_of_block;
+    place.at[i] = first_of(elements, k + further) + part % parts_of_block * native_width;
   }
   return place;
 }
 
-// Calls pass.operator()<vectors>(k, turn) through all blocks.
-template <int vectors, class Pass>
+// Calls pass.operator()<T, repeated>(k, turn) through all blocks, with packs T of `vectors`. At the end, where fewer
+// blocks are left, with those of one block; in single precision, which has no narrower ones, with one block repeated, so
+// that an element's bits do not depend on which others come with it.
+template <int vectors, class Real, class Pass>
 [[gnu::always_inline]] inline void through_blocks(int count, const Pass& pass) {
+  using T = PackOf<vectors, Real>;
+  constexpr bool narrows = std::is_same_v<Real, double>;
   int k = 0;
   for (; k + blocks_at_once<vectors> <= count; k += blocks_at_once<vectors>)
 #pragma GCC unroll 8
-    for (int turn = 0; turn < turns_in_block<vectors>; ++turn) pass.template operator()<vectors>(k, turn);
+    for (int turn = 0; turn < turns_in_block<vectors>; ++turn) pass.template operator()<T, false>(k, turn);
   if constexpr (blocks_at_once < vectors >> 1)
-    for (; k < count; ++k) pass.template operator()<parts_of_block>(k, 0);
+    for (; k < count; ++k) pass.template operator()<std::conditional_t<narrows, Lanes, T>, !narrows>(k, 0);
 }
 
-// A pack's numbers into the sums of the lanes that they stand in.
-template <int vectors, class Combine>
+// A pack's numbers into the sums of the lanes that they stand in, of `repeated` ones the first.
+template <bool repeated, int vectors, class Combine>
 [[gnu::always_inline]] inline void gather_into(Lanes& sum, const Pack<vectors>& numbers, int turn,
                                                const Combine& combine) {
 #pragma GCC unroll 8
-  for (int i = 0; i < vectors; ++i) {
+  for (int i = 0; i < (repeated ? parts_of_block : vectors); ++i) {
     Vector& part = sum.part[(turn * vectors + i) % parts_of_block];
     part = combine(part, numbers.part[i]);
   }
 }
+
+// What is kept of the packs that a loop takes, and of those at its end.
+template <class Main>
+struct Kept {
+  Main main;
+  Lanes end;
+  template <class T>
+  [[gnu::always_inline]] T& of() {
+    if constexpr (std::is_same_v<T, Main>)
+      return main;
+    else
+      return end;
+  }
+  // All of it, each number in some lane.
+  template <class Combine>
+  [[gnu::always_inline]] Lanes together(const Combine& combine) const {
+    Lanes all = end;
+    gather_into<false>(all, widen(main), 0, combine);
+    return all;
+  }
+};
 
 [[gnu::always_inline]] inline Vector lesser_vector(const Vector& a, const Vector& b) {
   return a < b ? a : b;
@@ -102,14 +135,18 @@ template <int vectors, class Combine>
 
 // ---- yarns
 
+// Power, and least and greatest squared lengths.
+template <class Main>
 struct YarnSums {
-  Lanes power, shortest, longest;
+  Lanes power;
+  Kept<Main> shortest, longest;
 };
 
 // The way from the first to the second node and how it changes, mm and mm/s.
 template <class T>
 struct YarnSpan {
-  T way[3], change[3];
+  Wide<T> way[3];
+  T change[3];
 };
 
 template <class T, class P>
@@ -118,8 +155,8 @@ template <class T, class P>
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
     const double *x = nodes.position[c], *v = nodes.velocity[c];
-    span.way[c] = load<T>(x + yarns.next, n) - load<T>(x, n);
-    span.change[c] = load<T>(v + yarns.next, n) - load<T>(v, n);
+    span.way[c] = difference<Wide<T>>(x + yarns.next, x, n);
+    span.change[c] = difference<T>(v + yarns.next, v, n);
   }
   return span;
 }
@@ -130,8 +167,8 @@ template <class T, class P>
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
     const double *x = nodes.position[c], *v = nodes.velocity[c];
-    span.way[c] = gather<T>(x, yarns.node1, n) - gather<T>(x, yarns.node0, n);
-    span.change[c] = gather<T>(v, yarns.node1, n) - gather<T>(v, yarns.node0, n);
+    span.way[c] = gather<Wide<T>>(x, yarns.node1, n) - gather<Wide<T>>(x, yarns.node0, n);
+    span.change[c] = narrow<T>(gather<Wide<T>>(v, yarns.node1, n) - gather<Wide<T>>(v, yarns.node0, n));
   }
   return span;
 }
@@ -144,23 +181,27 @@ struct YarnResponse {
 
 template <Section section, class Law, class T, class P>
 [[gnu::always_inline]] inline YarnResponse<T> response(const RowYarns& yarns, const Law& law, const YarnStep& step,
-                                                       const P& n, const T& square, const T& rate) {
-  const T area = load<T>(yarns.section, n);
+                                                       const P& n, const Wide<T>& square, const T& rate) {
+  const T area = load<T>(yarns.section, n), length_squared = narrow<T>(square);
   T inverse;
-  const T elastic = yarn_force_per_length<section>(law, square, spread<T>(yarns.rest), area, inverse);
+  const T elastic = yarn_force_per_length<section>(law, length_squared, narrow<T>(square - yarns.rest * yarns.rest),
+                                                   spread<T>(yarns.rest), area, inverse);
   const T viscous = viscous_force_per_length(inverse, rate, area, spread<T>(step.viscosity / yarns.rest));
-  return {elastic + viscous, viscous, square, square + 2.0 * step.ahead * rate};
+  return {elastic + viscous, viscous, length_squared, length_squared + 2.0 * step.ahead * rate};
 }
 
 template <Section section, class Law, class T, class P>
 [[gnu::always_inline]] inline YarnResponse<T> response(const ListedYarns& yarns, const Law& law, const YarnStep& step,
-                                                       const P& n, const T& square, const T& rate) {
-  const T rest = load<T>(yarns.length, n), jaw = load<T>(yarns.jaw, n), area = load<T>(yarns.section, n);
-  const T inverse_length = inverse_root(square), inverse_rest = 1.0 / rest;
-  const T whole = square * inverse_length + jaw, coming = whole + step.ahead * rate * inverse_length;
+                                                       const P& n, const Wide<T>& square, const T& rate) {
+  const Wide<T> exact_rest = load<Wide<T>>(yarns.length, n), exact_inverse = inverse_root(square),
+                exact_whole = square * exact_inverse + load<Wide<T>>(yarns.jaw, n);
+  const T excess = narrow<T>(exact_whole * exact_whole - exact_rest * exact_rest);
+  const T rest = narrow<T>(exact_rest), whole = narrow<T>(exact_whole), inverse_length = narrow<T>(exact_inverse);
+  const T area = load<T>(yarns.section, n), inverse_rest = 1.0 / rest;
+  const T coming = whole + step.ahead * rate * inverse_length;
   const T stretch = whole * inverse_rest, then = coming * inverse_rest;
   T inverse;
-  const T elastic = yarn_force_per_length<section>(law, square, inverse_length, rest, jaw, area, inverse);
+  const T elastic = jawed_yarn_force_per_length<section>(law, whole, excess, inverse_length, rest, area, inverse);
   const T viscous = viscous_force_per_length<T>(inverse, rate, area, step.viscosity * inverse_rest);
   return {elastic + viscous, viscous, stretch * stretch, then * then};
 }
@@ -173,49 +214,50 @@ template <Section section, class Law, class T, class P>
   return 1.0;
 }
 
-template <class T>
-[[gnu::always_inline]] inline void hold(const YarnResponse<T>& r, const T& power, int turn, YarnSums& sums) {
-  gather_into(sums.power, power, turn, [](const Vector& a, const Vector& b) { return a + b; });
-  gather_into(sums.shortest, lesser(r.now, r.coming), turn, lesser_vector);
-  gather_into(sums.longest, greater(r.now, r.coming), turn, greater_vector);
-}
-
-template <Section section, int vectors, class Law, class Yarns>
+template <Section section, class T, bool repeated, class Law, class Yarns, class Real, class Sums>
 [[gnu::always_inline]] inline void yarn_pass(const Law& law, const Yarns& yarns, const NodeArrays& nodes,
-                                             const YarnStep& step, double* const (&force)[3], int k, int turn,
-                                             YarnSums& sums) {
-  using T = Pack<vectors>;
-  const auto n = place_of<vectors>(yarns, k, turn), to = moved(n, -origin_of(yarns));
+                                             const YarnStep& step, Real* const (&force)[3], int k, int turn,
+                                             Sums& sums) {
+  const auto n = place_of<T, repeated>(yarns, k, turn), to = moved(n, -origin_of(yarns));
   const YarnSpan<T> s = span<T>(yarns, nodes, n);
+  const T way[3] = {narrow<T>(s.way[0]), narrow<T>(s.way[1]), narrow<T>(s.way[2])};
   // what fills up a block has no section, and stands for a yarn at rest
-  const auto is_yarn = load<T>(yarns.section, n) > spread<T>(0.0);
-  const T rate =
-      select(is_yarn, s.way[0] * s.change[0] + s.way[1] * s.change[1] + s.way[2] * s.change[2], spread<T>(0.0));
-  const T square =
-      select(is_yarn, s.way[0] * s.way[0] + s.way[1] * s.way[1] + s.way[2] * s.way[2], spread<T>(unit_of(yarns)));
-  const YarnResponse<T> r = response<section>(yarns, law, step, n, square, rate);
-  hold(r, r.viscous * rate, turn, sums);
+  const T rate = select(load<T>(yarns.section, n) > spread<T>(0.0),
+                        way[0] * s.change[0] + way[1] * s.change[1] + way[2] * s.change[2], spread<T>(0.0));
+  const Wide<T> square =
+      select(load<Wide<T>>(yarns.section, n) > spread<Wide<T>>(0.0),
+             s.way[0] * s.way[0] + s.way[1] * s.way[1] + s.way[2] * s.way[2], spread<Wide<T>>(unit_of(yarns)));
+  const YarnResponse<T> r = response<section, Law, T>(yarns, law, step, n, square, rate);
+  gather_into<repeated>(sums.power, widen<T>(r.viscous * rate), turn,
+                        [](const Vector& a, const Vector& b) { return a + b; });
+  auto &shortest = sums.shortest.template of<T>(), &longest = sums.longest.template of<T>();
+  shortest = lesser(shortest, lesser(r.now, r.coming));
+  longest = greater(longest, greater(r.now, r.coming));
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) store(force[c], to, r.per_length * s.way[c]);
+  for (int c = 0; c < 3; ++c) store(force[c], to, r.per_length * way[c]);
 }
 
-template <Section section, class Law, class Yarns>
+template <Section section, class Law, class Yarns, class Real>
 void yarn_loop(const void* law_pointer, const Yarns& its_yarns, const NodeArrays& its_nodes, const YarnStep& its_step,
-               double* const (&t)[3], YarnLanes& totals) {
+               Real* const (&t)[3], YarnLanes& totals) {
+  constexpr int vectors = yarns_at_once<Real>;
+  using Main = PackOf<vectors, Real>;
   const Law law = *static_cast<const Law*>(law_pointer);
   const Yarns yarns = its_yarns;
   const NodeArrays nodes = its_nodes;
   const YarnStep step = its_step;
-  double* const force[3] = {t[0], t[1], t[2]};
+  Real* const force[3] = {t[0], t[1], t[2]};
   const double unit = unit_of(yarns);
-  YarnSums sums = {load_lanes(totals.power), load_lanes(totals.shortest) * unit, load_lanes(totals.longest) * unit};
-  through_blocks<yarns_at_once>(
-      blocks_of(yarns), [&]<int vectors>(int k, int turn) __attribute__((always_inline)) {
-        yarn_pass<section, vectors>(law, yarns, nodes, step, force, k, turn, sums);
+  YarnSums<Main> sums = {load_lanes(totals.power),
+                         {spread<Main>(unit), load_lanes(totals.shortest) * unit},
+                         {spread<Main>(unit), load_lanes(totals.longest) * unit}};
+  through_blocks<vectors, Real>(
+      blocks_of(yarns), [&]<class T, bool repeated>(int k, int turn) __attribute__((always_inline)) {
+        yarn_pass<section, T, repeated>(law, yarns, nodes, step, force, k, turn, sums);
       });
   store_lanes(totals.power, sums.power);
-  store_lanes(totals.shortest, sums.shortest / unit);
-  store_lanes(totals.longest, sums.longest / unit);
+  store_lanes(totals.shortest, sums.shortest.together(lesser_vector) / unit);
+  store_lanes(totals.longest, sums.longest.together(greater_vector) / unit);
 }
 
 // ---- cells
@@ -233,7 +275,7 @@ template <class T, class P>
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
     const double *x = nodes.position[c], *up = x + cells.next;
-    const T d = load<T>(up + 1, n) - load<T>(x, n), e = load<T>(x + 1, n) - load<T>(up, n);
+    const T d = difference<T>(up + 1, x, n), e = difference<T>(x + 1, up, n);
     g.warp[c] = d + e;
     g.weft[c] = d - e;
   }
@@ -244,11 +286,11 @@ template <class T, class P>
 template <class T, class P>
 [[gnu::always_inline]] inline Directions<T> directions(const ListedCells& cells, const NodeArrays& nodes, const P& n) {
   constexpr int width = LooseCells::width;
-  T first[3];
+  Wide<T> first[3];
   Directions<T> g;
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
-    first[c] = gather<T>(nodes.position[c], cells.node, n, width);
+    first[c] = gather<Wide<T>>(nodes.position[c], cells.node, n, width);
     g.warp[c] = g.weft[c] = spread<T>(0.0);
   }
 #pragma GCC unroll 8
@@ -256,7 +298,7 @@ template <class T, class P>
     const T c1 = every<T>(cells.warp + a, n, width), c2 = every<T>(cells.weft + a, n, width);
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c) {
-      const T offset = gather<T>(nodes.position[c], cells.node + a, n, width) - first[c];
+      const T offset = narrow<T>(gather<Wide<T>>(nodes.position[c], cells.node + a, n, width) - first[c]);
       g.warp[c] += c1 * offset;
       g.weft[c] += c2 * offset;
     }
@@ -266,8 +308,8 @@ template <class T, class P>
 
 // f_a = -(c1_a F1 + c2_a F2): the lower first corner has c = (-, -)/2h, the upper first one (-, +)/2h; without the
 // halves and spacings, that the directions do not have either.
-template <class T, class P>
-[[gnu::always_inline]] inline void write(const RowCells& /*cells*/, const RowCellForces& out, const P& to,
+template <class T, class P, class Real>
+[[gnu::always_inline]] inline void write(const RowCells& /*cells*/, const RowCellForces<Real>& out, const P& to,
                                          const CellForce<T>& f) {
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
@@ -276,8 +318,8 @@ template <class T, class P>
   }
 }
 
-template <class T, class P>
-[[gnu::always_inline]] inline void write(const ListedCells& /*cells*/, const ListedCellForces& out, const P& to,
+template <class T, class P, class Real>
+[[gnu::always_inline]] inline void write(const ListedCells& /*cells*/, const ListedCellForces<Real>& out, const P& to,
                                          const CellForce<T>& f) {
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
@@ -286,40 +328,37 @@ template <class T, class P>
   }
 }
 
-// The greatest sin^2 gamma of these cells and those before; padding has no area and does not count.
-template <class T>
-[[gnu::always_inline]] inline void hold_shear(const T& square, const T& area, int turn, Lanes& sharpest) {
-  const T none = spread<T>(0.0), counted = select(area > none, square, none);
-  gather_into(sharpest, counted, turn, greater_vector);
-}
-
-template <Formulation formulation, Thickness thickness_kind, int vectors, class Shear, class Cells, class Forces>
+template <Formulation formulation, Thickness thickness_kind, class T, bool repeated, class Shear, class Cells,
+          class Forces, class Sharpest>
 [[gnu::always_inline]] inline void cell_pass(const Shear& shear, const Cells& cells, double thickness,
                                              const NodeArrays& nodes, const Forces& forces, int k, int turn,
-                                             Lanes& sharpest) {
-  using T = Pack<vectors>;
-  const auto n = place_of<vectors>(cells, k, turn);
+                                             Sharpest& sharpest) {
+  const auto n = place_of<T, repeated>(cells, k, turn);
   const Directions<T> g = directions<T>(cells, nodes, n);
-  const T area = load<T>(cells.area, n), volume = area * thickness;
+  const T area = load<T>(cells.area, n), none = spread<T>(0.0);
   T square;
-  const auto f = shear_cell_force<formulation, thickness_kind>(shear, g.warp, g.weft, volume, square);
+  const auto f =
+      shear_cell_force<formulation, thickness_kind, Shear, T>(shear, g.warp, g.weft, area * thickness, square);
   write(cells, forces, moved(n, -origin_of(cells)), f);
-  hold_shear(square, area, turn, sharpest);
+  // padding has no area and does not count
+  T& greatest = sharpest.template of<T>();
+  greatest = greater(greatest, select(area > none, square, none));
 }
 
-template <Formulation formulation, Thickness thickness_kind, class Shear, class Cells, class Forces>
+template <Formulation formulation, Thickness thickness_kind, class Real, class Shear, class Cells, class Forces>
 void cell_loop(const void* shear_pointer, const Cells& its_cells, double thickness, const NodeArrays& its_nodes,
                const Forces& its_forces, CellLanes& totals) {
+  constexpr int vectors = cells_at_once<Real>;
   const Shear shear = *static_cast<const Shear*>(shear_pointer);
   const Cells cells = its_cells;
   const NodeArrays nodes = its_nodes;
   const Forces forces = its_forces;
-  Lanes sharpest = load_lanes(totals.sharpest);
-  through_blocks<cells_at_once>(
-      blocks_of(cells), [&]<int vectors>(int k, int turn) __attribute__((always_inline)) {
-        cell_pass<formulation, thickness_kind, vectors>(shear, cells, thickness, nodes, forces, k, turn, sharpest);
+  Kept<PackOf<vectors, Real>> sharpest = {spread<PackOf<vectors, Real>>(0.0), load_lanes(totals.sharpest)};
+  through_blocks<vectors, Real>(
+      blocks_of(cells), [&]<class T, bool repeated>(int k, int turn) __attribute__((always_inline)) {
+        cell_pass<formulation, thickness_kind, T, repeated>(shear, cells, thickness, nodes, forces, k, turn, sharpest);
       });
-  store_lanes(totals.sharpest, sharpest);
+  store_lanes(totals.sharpest, sharpest.together(greater_vector));
 }
 
 // What turns the directions of a loop into those of the element, and the forces conjugate to these into theirs.
@@ -391,41 +430,43 @@ void history_cell_loop(const void* shear_pointer, const Cells& its_cells, double
 template <Frame frame, Thickness thickness>
 HistoryCellLoops shaped_history_loops(ShearShape shape) {
   const auto of = []<class Shear>(Shear /*shape*/) -> HistoryCellLoops {
-    return {&history_cell_loop<frame, thickness, Shear, RowCells, RowCellForces>,
-            &history_cell_loop<frame, thickness, Shear, ListedCells, ListedCellForces>};
+    return {&history_cell_loop<frame, thickness, Shear, RowCells, RowCellForces<double>>,
+            &history_cell_loop<frame, thickness, Shear, ListedCells, ListedCellForces<double>>};
   };
   if (shape == ShearShape::general) return of(GeneralShear{});
   return of(StartedShear{});  // the start is the least of what these cost
 }
 
-template <Formulation formulation, Thickness thickness>
-CellLoops shaped_cell_loops(ShearShape shape) {
-  const auto of = []<class Shear>(Shear /*shape*/) -> CellLoops {
-    return {&cell_loop<formulation, thickness, Shear, RowCells, RowCellForces>,
-            &cell_loop<formulation, thickness, Shear, ListedCells, ListedCellForces>};
+template <class Real, Formulation formulation, Thickness thickness>
+CellLoops<Real> shaped_cell_loops(ShearShape shape) {
+  const auto of = []<class Shear>(Shear /*shape*/) -> CellLoops<Real> {
+    return {&cell_loop<formulation, thickness, Real, Shear, RowCells, RowCellForces<Real>>,
+            &cell_loop<formulation, thickness, Real, Shear, ListedCells, ListedCellForces<Real>>};
   };
   if (shape == ShearShape::general) return of(GeneralShear{});
   return shape == ShearShape::started ? of(StartedShear{}) : of(PaperShear{});
 }
 
-template <Section section>
-YarnLoops shaped_yarn_loops(bool paper) {
-  if (paper) return {&yarn_loop<section, PaperLaw, RowYarns>, &yarn_loop<section, PaperLaw, ListedYarns>};
-  return {&yarn_loop<section, GeneralLaw, RowYarns>, &yarn_loop<section, GeneralLaw, ListedYarns>};
+template <class Real, Section section>
+YarnLoops<Real> shaped_yarn_loops(bool paper) {
+  if (paper) return {&yarn_loop<section, PaperLaw, RowYarns, Real>, &yarn_loop<section, PaperLaw, ListedYarns, Real>};
+  return {&yarn_loop<section, GeneralLaw, RowYarns, Real>, &yarn_loop<section, GeneralLaw, ListedYarns, Real>};
 }
 
-YarnLoops yarn_loops(Section section, bool paper) {
-  return section == Section::incompressible ? shaped_yarn_loops<Section::incompressible>(paper)
-                                            : shaped_yarn_loops<Section::constant>(paper);
+template <class Real>
+YarnLoops<Real> yarn_loops(Section section, bool paper) {
+  return section == Section::incompressible ? shaped_yarn_loops<Real, Section::incompressible>(paper)
+                                            : shaped_yarn_loops<Real, Section::constant>(paper);
 }
 
-CellLoops cell_loops(Formulation formulation, Thickness thickness, ShearShape shape) {
+template <class Real>
+CellLoops<Real> cell_loops(Formulation formulation, Thickness thickness, ShearShape shape) {
   const bool constant = thickness == Thickness::constant;
   if (formulation == Formulation::energy)
-    return constant ? shaped_cell_loops<Formulation::energy, Thickness::constant>(shape)
-                    : shaped_cell_loops<Formulation::energy, Thickness::constant_volume>(shape);
-  return constant ? shaped_cell_loops<Formulation::contravariant, Thickness::constant>(shape)
-                  : shaped_cell_loops<Formulation::contravariant, Thickness::constant_volume>(shape);
+    return constant ? shaped_cell_loops<Real, Formulation::energy, Thickness::constant>(shape)
+                    : shaped_cell_loops<Real, Formulation::energy, Thickness::constant_volume>(shape);
+  return constant ? shaped_cell_loops<Real, Formulation::contravariant, Thickness::constant>(shape)
+                  : shaped_cell_loops<Real, Formulation::contravariant, Thickness::constant_volume>(shape);
 }
 
 HistoryCellLoops history_cell_loops(Frame frame, Thickness thickness, ShearShape shape) {
@@ -440,6 +481,8 @@ HistoryCellLoops history_cell_loops(Frame frame, Thickness thickness, ShearShape
 }  // namespace
 
 extern const ElementLoops loops_of_elements;
-const ElementLoops loops_of_elements = {.yarns = yarn_loops, .cells = cell_loops, .history_cells = history_cell_loops};
+const ElementLoops loops_of_elements = {.of_double = {.yarns = yarn_loops<double>, .cells = cell_loops<double>},
+                                        .of_single = {.yarns = yarn_loops<float>, .cells = cell_loops<float>},
+                                        .history_cells = history_cell_loops};
 
 }  // namespace weaveform::WEAVEFORM_SET

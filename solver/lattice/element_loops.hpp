@@ -1,6 +1,11 @@
 // The inner loop: the elements of some rows of the lattice in blocks of eight slots (bands.hpp), and the listed ones
 // (yarn ends, cut cells) one after another, by the same bodies. Compiled once for each instruction set
 // (core/instructions), each compilation for itself: it must include nothing whose inline code other files share.
+//
+// In double or in single precision. Single precision is that of what an element computes and of the forces that it
+// returns. Differences of positions, and those of a yarn's squared lengths, which its strain hangs on, are taken in double
+// precision and then narrowed, so that no digit is lost where a blank is large; powers are summed in double precision.
+// What is left is the rounding of a force, some 1e-7 of it.
 #pragma once
 
 #include "solver/element/incremental_cell.hpp"
@@ -44,9 +49,9 @@ struct ListedYarns {
   const double *length, *jaw, *section;
 };
 // t[c] = force on the first node (N), the opposite on the second.
-template <class Yarns>
+template <class Yarns, class Real>
 using YarnLoop = void (*)(const void* law, const Yarns& yarns, const NodeArrays& nodes, const YarnStep& step,
-                          double* const (&t)[3], YarnLanes& lanes);
+                          Real* const (&t)[3], YarnLanes& lanes);
 
 // Greatest sin^2 gamma of cells.
 struct CellLanes {
@@ -62,9 +67,10 @@ struct RowCells {
   double inverse_spacing[2];  // 1/mm
   const double* area;         // mm^2; per slot
 };
+template <class Real>
 struct RowCellForces {
-  double* p[3];
-  double* q[3];
+  Real* p[3];
+  Real* q[3];
 };
 // Listed ones (LooseCells of packed.hpp), in whole blocks: forces conjugate to their directions.
 struct ListedCells {
@@ -73,9 +79,10 @@ struct ListedCells {
   const double *warp, *weft;  // coefficients, width per cell
   const double* area;
 };
+template <class Real>
 struct ListedCellForces {
-  double* warp[3];
-  double* weft[3];
+  Real* warp[3];
+  Real* weft[3];
 };
 template <class Cells, class Forces>
 using CellLoop = void (*)(const void* shear, const Cells& cells, double thickness, const NodeArrays& nodes,
@@ -94,17 +101,19 @@ using HistoryCellLoop = void (*)(const void* shear, const Cells& cells, double t
                                  const NodeArrays& nodes, const HistoryArrays& history, const Forces& forces,
                                  CellLanes& lanes);
 
+template <class Real>
 struct YarnLoops {
-  YarnLoop<RowYarns> row;
-  YarnLoop<ListedYarns> listed;
+  YarnLoop<RowYarns, Real> row;
+  YarnLoop<ListedYarns, Real> listed;
 };
+template <class Real>
 struct CellLoops {
-  CellLoop<RowCells, RowCellForces> row;
-  CellLoop<ListedCells, ListedCellForces> listed;
+  CellLoop<RowCells, RowCellForces<Real>> row;
+  CellLoop<ListedCells, ListedCellForces<Real>> listed;
 };
 struct HistoryCellLoops {
-  HistoryCellLoop<RowCells, RowCellForces> row;
-  HistoryCellLoop<ListedCells, ListedCellForces> listed;
+  HistoryCellLoop<RowCells, RowCellForces<double>> row;
+  HistoryCellLoop<ListedCells, ListedCellForces<double>> listed;
 };
 
 // The shear laws the loops are compiled for.
@@ -113,12 +122,27 @@ using StartedShear = KernelShear<PaperShearLaw>;
 using GeneralShear = KernelShear<GeneralLaw>;
 enum class ShearShape { paper, started, general };
 
-// One compilation of all of it (core/instructions/choose_loops.hpp). `paper` says that the law at hand is a PaperLaw;
-// otherwise it is a GeneralLaw.
+// `paper` says that the law at hand is a PaperLaw; otherwise it is a GeneralLaw.
+template <class Real>
+struct LoopsOf {
+  YarnLoops<Real> (*yarns)(Section section, bool paper);
+  CellLoops<Real> (*cells)(Formulation formulation, Thickness thickness, ShearShape shape);
+};
+
+// One compilation of all of it (core/instructions/choose_loops.hpp). Cells with a history are computed in double
+// precision, for they add up what every step brings.
 struct ElementLoops {
-  YarnLoops (*yarns)(Section section, bool paper);
-  CellLoops (*cells)(Formulation formulation, Thickness thickness, ShearShape shape);
+  LoopsOf<double> of_double;
+  LoopsOf<float> of_single;
   HistoryCellLoops (*history_cells)(Frame frame, Thickness thickness, ShearShape shape);
+
+  template <class Real>
+  [[nodiscard]] const LoopsOf<Real>& of() const {
+    if constexpr (sizeof(Real) == sizeof(double))
+      return of_double;
+    else
+      return of_single;
+  }
 };
 
 // The one for this processor.

@@ -9,6 +9,7 @@
 #include "fabric/card/card.hpp"
 #include "mesher/scene/scene.hpp"
 #include "solver/element/strain_range.hpp"
+#include "solver/lattice/moving_nodes.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/state/packed.hpp"
 #include "solver/state/state.hpp"
@@ -20,9 +21,11 @@ class FabricForces {
 public:
   // `start` gives the directions that cells with a history (incremental, side-frame) count their increments from; where
   // it is sheared, as in a draped blank, they start with the stress of their angle (element/sheared_start.hpp).
-  // Throws InputError when a law of the card has more pieces or a higher degree than the inner loop takes.
+  // Throws InputError when a law of the card has more pieces or a higher degree than the inner loop takes, and of cells
+  // with a history in single precision (element_loops.hpp).
   FabricForces(const PackedMesh& packed, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
-               const ModelSpec& model, const State& start, Team& team);
+               const ModelSpec& model, const State& start, Team& team,
+               Precision precision = Precision::double_precision);
   ~FabricForces();
   FabricForces(const FabricForces&) = delete;
   FabricForces& operator=(const FabricForces&) = delete;
@@ -33,6 +36,10 @@ public:
   // Sets state.force from state.position and, with viscosity, state.velocity (N; all nodes).
   // Cells with a history move on with every call.
   void compute(State& state);
+  // The same, and moves the free nodes of the lattice at once (moving_nodes.hpp): their place in state.force keeps what
+  // it held. The bits are those of compute() and move_free_nodes() one after the other.
+  void compute_and_move(State& state, const BandMove& move);
+  [[nodiscard]] const Bands& bands() const;
 
   // s; how far ahead strains() looks. 0 until set.
   void set_look_ahead(double time);
@@ -53,6 +60,8 @@ public:
 
 private:
   struct Kernels;
+  template <class Real>
+  struct KernelsOf;
   std::unique_ptr<Kernels> kernels_;
 };
 

@@ -4,63 +4,106 @@
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
-void clear(const SlotBlocks& slots, double* const* arrays, int count) {
+template <class Real>
+void clear(const SlotBlocks& slots, Real* const* arrays, int count) {
   for (int k = 0; k < slots.count; ++k)
-    for (int a = 0; a < count; ++a) store_lanes(arrays[a] + (slots.block[k] - slots.origin), spread<Lanes>(0.0));
+    for (int a = 0; a < count; ++a) store(arrays[a], block_at(slots.block[k] - slots.origin), spread<Lanes>(0.0));
 }
 
-void assemble(const int* block, int count, int next, const RowForces& its_row, const RowForces& row_below,
-              double* const (&force)[3]) {
-  const RowForces here = its_row, below = row_below;
-  double* const f[3] = {force[0], force[1], force[2]};
-  for (int k = 0; k < count; ++k) {
-    const auto n = block_at(block[k]), m = moved(n, -here.origin), b = moved(n, -next - below.origin);
-#pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c) {
-      const Lanes along = load<Lanes>(here.along[c], m) - load<Lanes>(here.along[c] - 1, m);
-      const Lanes cells = load<Lanes>(here.p[c], m) - load<Lanes>(here.q[c] - 1, m);
-      const Lanes cells_below = load<Lanes>(below.q[c], b) - load<Lanes>(below.p[c] - 1, b);
-      const Lanes from_below = cells_below - load<Lanes>(below.across[c], b);
-      store(f[c], n, along + cells + load<Lanes>(here.across[c], m) + from_below);
-    }
+// As many numbers of an array as a vector of double precision has, in the array's own precision.
+[[gnu::always_inline]] inline Vector as_it_is(const double* p) {
+  return *reinterpret_cast<const AnyVector*>(p);
+}
+[[gnu::always_inline]] inline ShortVector as_it_is(const float* p) {
+  return *reinterpret_cast<const AnyShortVector*>(p);
+}
+[[gnu::always_inline]] inline Vector in_double(const Vector& numbers) {
+  return numbers;
+}
+[[gnu::always_inline]] inline Vector in_double(const ShortVector& numbers) {
+  return widened(numbers);
+}
+
+// Component c of the force on the nodes of a block that begins at slot n.
+template <class Real>
+[[gnu::always_inline]] inline Lanes assembled(const RowForces<Real>& here, const RowForces<Real>& below, int next,
+                                              int n, int c) {
+  Lanes force;
+#pragma GCC unroll 8
+  for (int i = 0; i < parts_of_block; ++i) {
+    const int m = n + i * native_width - here.origin, b = n + i * native_width - next - below.origin;
+    const auto along = as_it_is(here.along[c] + m) - as_it_is(here.along[c] + m - 1);
+    const auto cells = as_it_is(here.p[c] + m) - as_it_is(here.q[c] + m - 1);
+    const auto cells_below = as_it_is(below.q[c] + b) - as_it_is(below.p[c] + b - 1);
+    const auto from_below = cells_below - as_it_is(below.across[c] + b);
+    force.part[i] = in_double(along + cells + as_it_is(here.across[c] + m) + from_below);
   }
+  return force;
 }
 
-// Returns m v0^2.
-template <class T, class P>
-[[gnu::always_inline]] inline T move_nodes(const NodeMotion& nodes, const LeapfrogStep& step, const P& n) {
-  T square = spread<T>(0.0);
-  const T impulse = step.kick * load<T>(nodes.inverse_mass, n);
+template <class Real>
+void assemble(const int* block, int count, int next, const RowForces<Real>& its_row, const RowForces<Real>& row_below,
+              double* const (&force)[3]) {
+  const RowForces<Real> here = its_row, below = row_below;
+  double* const f[3] = {force[0], force[1], force[2]};
+  for (int k = 0; k < count; ++k)
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c) store(f[c], block_at(block[k]), assembled(here, below, next, block[k], c));
+}
+
+// Those of a block that begins at slot n, under `force`; returns m v0^2.
+[[gnu::always_inline]] inline Lanes move_nodes(const NodeMotion& nodes, const LeapfrogStep& step, int n,
+                                               const Lanes (&force)[3]) {
+  const auto at = block_at(n);
+  Lanes square = spread<Lanes>(0.0);
+  const Lanes impulse = step.kick * load<Lanes>(nodes.inverse_mass, at);
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
-    const T before = load<T>(nodes.velocity[c], n);
-    const T after = step.keep * before + impulse * load<T>(nodes.force[c], n);
-    const T middle = 0.5 * (before + after);
-    store(nodes.velocity[c], n, after);
-    store(nodes.position[c], n, load<T>(nodes.position[c], n) + step.drift * after);
+    const Lanes before = load<Lanes>(nodes.velocity[c], at);
+    const Lanes after = step.keep * before + impulse * force[c];
+    const Lanes middle = 0.5 * (before + after);
+    store(nodes.velocity[c], at, after);
+    store(nodes.position[c], at, load<Lanes>(nodes.position[c], at) + step.drift * after);
     square += middle * middle;
   }
-  return load<T>(nodes.mass, n) * square;
+  return load<Lanes>(nodes.mass, at) * square;
 }
 
-void advance(const NodeMotion& its_nodes, const LeapfrogStep& its_step, const int* begin, const int* end, int ranges,
+void advance(const NodeMotion& its_nodes, const LeapfrogStep& its_step, const int* block, int count,
              double (&sums)[lane_count]) {
   const NodeMotion nodes = its_nodes;
   const LeapfrogStep step = its_step;
   Lanes sum = load_lanes(sums);
-  double rest = 0.0;
-  for (int r = 0; r < ranges; ++r) {
-    int n = begin[r];
-    for (; n + lane_count <= end[r]; n += lane_count) sum += move_nodes<Lanes>(nodes, step, block_at(n));
-    for (; n < end[r]; ++n) rest += move_nodes<double>(nodes, step, n);
+  for (int k = 0; k < count; ++k) {
+    const auto at = block_at(block[k]);
+    const Lanes force[3] = {load<Lanes>(nodes.force[0], at), load<Lanes>(nodes.force[1], at),
+                            load<Lanes>(nodes.force[2], at)};
+    sum += move_nodes(nodes, step, block[k], force);
   }
   store_lanes(sums, sum);
-  sums[0] += rest;
+}
+
+template <class Real>
+void move(const int* block, int count, int next, const RowForces<Real>& its_row, const RowForces<Real>& row_below,
+          const NodeMotion& its_nodes, const LeapfrogStep& its_step, double (&sums)[lane_count]) {
+  const RowForces<Real> here = its_row, below = row_below;
+  const NodeMotion nodes = its_nodes;
+  const LeapfrogStep step = its_step;
+  Lanes sum = load_lanes(sums);
+  for (int k = 0; k < count; ++k) {
+    const Lanes force[3] = {assembled(here, below, next, block[k], 0), assembled(here, below, next, block[k], 1),
+                            assembled(here, below, next, block[k], 2)};
+    sum += move_nodes(nodes, step, block[k], force);
+  }
+  store_lanes(sums, sum);
 }
 
 }  // namespace
 
 extern const NodeLoops loops_of_nodes;
-const NodeLoops loops_of_nodes = {.clear = clear, .assemble = assemble, .advance = advance};
+const NodeLoops loops_of_nodes = {
+    .of_double = {.clear = clear<double>, .assemble = assemble<double>, .move = move<double>},
+    .of_single = {.clear = clear<float>, .assemble = assemble<float>, .move = move<float>},
+    .advance = advance};
 
 }  // namespace weaveform::WEAVEFORM_SET

@@ -10,15 +10,18 @@ namespace weaveform {
 // The force on the node of each slot n, from the elements of its row at slot n - origin and of the row below at
 // n - below_origin of theirs:
 //   f = along[n] - along[n-1] + p[n] - q[n-1] + across[n]  +  q'[n'] - p'[n'-1] - across'[n'] ,  n' = n - next below
+template <class Real>
 struct RowForces {
-  const double *along[3], *across[3], *p[3], *q[3];
+  const Real *along[3], *across[3], *p[3], *q[3];
   int origin;
 };
-using AssembleLoop = void (*)(const int* block, int count, int next, const RowForces& here, const RowForces& below,
-                              double* const (&force)[3]);
+template <class Real>
+using AssembleLoop = void (*)(const int* block, int count, int next, const RowForces<Real>& here,
+                              const RowForces<Real>& below, double* const (&force)[3]);
 
 // Zero in the blocks of each of the arrays.
-using ClearLoop = void (*)(const SlotBlocks& slots, double* const* arrays, int count);
+template <class Real>
+using ClearLoop = void (*)(const SlotBlocks& slots, Real* const* arrays, int count);
 
 // One leapfrog step of nodes (Newmark 1959, beta = 0, velocities at half steps), in each component
 //   v+ = keep * v- + kick * f / m ,   x+ = x + drift * v+
@@ -32,14 +35,35 @@ struct NodeMotion {
 struct LeapfrogStep {
   double keep, kick, drift;  // 1, s, s
 };
-// Of the nodes in [begin[r], end[r]).
-using AdvanceLoop = void (*)(const NodeMotion& nodes, const LeapfrogStep& step, const int* begin, const int* end,
-                             int ranges, double (&sums)[lane_count]);
+// Of the nodes in the blocks.
+using AdvanceLoop = void (*)(const NodeMotion& nodes, const LeapfrogStep& step, const int* block, int count,
+                             double (&sums)[lane_count]);
+// Both at once: the assembled forces go to the nodes and nowhere else (`nodes` has none).
+template <class Real>
+using MoveLoop = void (*)(const int* block, int count, int next, const RowForces<Real>& here,
+                          const RowForces<Real>& below, const NodeMotion& nodes, const LeapfrogStep& step,
+                          double (&sums)[lane_count]);
+
+// Of element forces in double or in single precision.
+template <class Real>
+struct ForceLoops {
+  ClearLoop<Real> clear;
+  AssembleLoop<Real> assemble;
+  MoveLoop<Real> move;
+};
 
 struct NodeLoops {
-  ClearLoop clear;
-  AssembleLoop assemble;
+  ForceLoops<double> of_double;
+  ForceLoops<float> of_single;
   AdvanceLoop advance;
+
+  template <class Real>
+  [[nodiscard]] const ForceLoops<Real>& of() const {
+    if constexpr (sizeof(Real) == sizeof(double))
+      return of_double;
+    else
+      return of_single;
+  }
 };
 
 // The one for this processor.

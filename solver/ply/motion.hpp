@@ -1,11 +1,15 @@
 // One leapfrog step of all nodes (central difference with velocities at half steps), grips included.
 //   v+ = ((1 - a k/2) v- + k f/m) / (1 + a k/2)     k = (dt_before + dt)/2, a the mass-proportional damping
 //   x+ = x + dt v+
+//
+// In two halves: nodes of the lattice that nothing but the lattice pulls at, which may move in the pass that computes
+// their forces (lattice/moving_nodes.hpp), and after all forces the others and the grips.
 #pragma once
 
 #include <vector>
 
 #include "solver/constraint/grips.hpp"
+#include "solver/lattice/moving_nodes.hpp"
 #include "solver/state/packed.hpp"
 #include "solver/state/state.hpp"
 #include "solver/state/team.hpp"
@@ -14,7 +18,8 @@ namespace weaveform {
 
 class Motion {
 public:
-  Motion(const PackedMesh& packed, double damping, Team& team);
+  // `waits`: per packed node, whether more than the lattice's elements may pull at it (waiting_nodes()).
+  Motion(const PackedMesh& packed, const Bands& bands, const std::vector<char>& waits, double damping, Team& team);
 
   struct Outcome {
     double kinetic = 0.0;            // mJ; at the time of the forces, v0 = (v- + v+)/2
@@ -26,23 +31,30 @@ public:
   const Outcome& advance(State& state, std::vector<Grip>& grips, const std::vector<double>& from,
                          const std::vector<double>& to, double step_before, double step);
 
+  // The same in parts: begin(); the free nodes by FabricForces::compute_and_move() with what begin() returned; finish().
+  [[nodiscard]] BandMove begin(State& state, std::vector<Grip>& grips, double step_before, double step);
+  const Outcome& finish(State& state, const BandMove& move, std::vector<Grip>& grips, const std::vector<double>& from,
+                        const std::vector<double>& to);
+
 private:
-  void add_range(Run range);
+  void move_free(const BandMove& move);
+  double move_waiting(const BandMove& move);
 
   const PackedMesh& packed_;
+  const Bands& bands_;
+  NodesByWaiting blocks_;
+  std::vector<int> waiting_;  // all blocks that wait, yarn ends included
   double damping_;
   Team& team_;
-  Doubles inverse_mass_;  // 1/tonne; 0 where no node is
-  Doubles mass_;          // tonne; 0 where no node is
-  // Packed index ranges that hold all nodes, in chunks that one call moves: chunk k has ranges chunk_[k] to
-  // chunk_[k + 1] - 1. Chunks depend on the mesh alone.
-  std::vector<int> begin_, end_, chunk_;
-  int in_chunk_ = 0;  // nodes of the last chunk
-  struct Sums {
-    double lane[vector_width];
-  };
-  std::vector<Sums> sums_;  // of m v0^2, per chunk and lane
+  Doubles inverse_mass_;                // 1/tonne; 0 where no node is
+  Doubles mass_;                        // tonne; 0 where no node is
+  std::vector<LaneSums> sums_;          // of m v0^2, per band
+  std::vector<LaneSums> waiting_sums_;  // per part of the blocks that wait
   Outcome outcome_;
 };
+
+// Per packed node: those that listed elements, grips, ties or mirror planes have to do with.
+[[nodiscard]] std::vector<char> waiting_nodes(const Mesh& mesh, const PackedMesh& packed,
+                                              const std::vector<Grip>& grips);
 
 }  // namespace weaveform

@@ -1,5 +1,6 @@
 #include "solver/ply/ply.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -25,10 +26,10 @@ Ply::Ply(const PlySetup& setup)
       mirrors_(part_ != nullptr ? std::make_unique<MirrorPlanes>(mesh_, packed_) : nullptr),
       state_(initial_state(packed_, mesh_)),
       holds_(scene_, mesh_, packed_),
-      forces_(packed_, card_, yarn_laws_, scene_.model, state_, setup.team),
+      forces_(packed_, card_, yarn_laws_, scene_.model, state_, setup.team, scene_.analysis.precision),
       critical_step_(mesh_, card_, yarn_laws_, scene_.model, held_nodes(holds_.grips(), mesh_, packed_)),
       internal_energy_(mesh_, card_, yarn_laws_, scene_.model),
-      motion_(packed_, damping_, setup.team),
+      motion_(packed_, forces_.bands(), waiting_nodes(mesh_, packed_, holds_.grips()), damping_, setup.team),
       reach_(scene_.analysis.step_bound == StepBound::stiffest),
       yarn_limits_(yarn_limits(card_, scene_.model)) {
   const auto stiffest = critical_step_.stiffest(every_strain);
@@ -105,7 +106,13 @@ StableStep Ply::renew_stable_step() {
 }
 
 void Ply::set_step(double viscous_time, double step) {
-  forces_.set_viscosity({viscous_time * yarn_modulus_[0], viscous_time * yarn_modulus_[1]});
+  std::array<double, 2> lesser{};
+  for (int f = 0; f < 2; ++f) {
+    const double viscosity = viscous_time * yarn_modulus_[f];
+    lesser[f] = std::min(viscosity_[f], viscosity);
+    viscosity_[f] = viscosity;
+  }
+  forces_.set_viscosity(lesser);
   forces_.set_look_ahead(steps_ahead * step);
 }
 
@@ -134,6 +141,21 @@ void Ply::advance(double step_before, double step, bool last) {
       motion_.advance(state_, holds_.grips(), holds_.displacement(), holds_.displacement_after(), step_before, step);
   follow();
   if (last) state_.position = end_position;
+  note_motion(outcome, step_before);
+}
+
+void Ply::compute_forces_and_advance(double step_before, double step) {
+  const BandMove move = motion_.begin(state_, holds_.grips(), step_before, step);
+  forces_.compute_and_move(state_, move);
+  give_on_forces();
+  const auto& outcome =
+      motion_.finish(state_, move, holds_.grips(), holds_.displacement(), holds_.displacement_after());
+  follow();
+  note_motion(outcome, step_before);
+}
+
+void Ply::note_motion(const Motion::Outcome& outcome, double step_before) {
+  forces_.set_viscosity(viscosity_);
   holds_.note_forces(outcome.grip_force);
   const double damping_power = 2.0 * damping_ * outcome.kinetic + forces_.viscous_power();
   damping_work_ += 0.5 * (damping_power_before_ + damping_power) * step_before;

@@ -73,10 +73,14 @@ public:
   // From now on what yarns reached since the last call is allowed (reach.hpp); the longest stable step with that. Where
   // every node is held nothing sets one: a row of history is then as good as any.
   [[nodiscard]] StableStep renew_stable_step();
-  // `viscous_time` (s): beta of yarn.hpp; `step` (s): the one to be taken. Again after an archive was read.
+  // `viscous_time` (s): beta of yarn.hpp; `step` (s): the one to be taken. Again after an archive was read. Forces that
+  // are computed before the next motion have the lesser of the viscosities before and after: their kick is half of the
+  // step before, and a viscosity for far shorter steps would throw yarns back.
   void set_step(double viscous_time, double step);
   // Whether yarns have come, or come within the next steps, to strains beyond what the step allows, or cells to a shear.
   [[nodiscard]] bool passes_reach() { return reach_.passed_by(forces_.strains(), forces_.sharpest()); }
+  // Whether any call since the step was renewed said so.
+  [[nodiscard]] bool passed_reach() const { return reach_.passed(); }
 
   // Forces of everything that acts, given on by what follows others, at state().position and time: its own, and then
   // what else the caller adds in between.
@@ -89,6 +93,10 @@ public:
   // One leapfrog step, grips included (motion.hpp); holds() know their displacements. The last one only tells the
   // velocities and reactions at its beginning: positions stay.
   void advance(double step_before, double step, bool last);
+  // Whether nothing but the lattice, grips, ties and mirror planes acts: both may then be one pass over memory.
+  [[nodiscard]] bool moves_in_one_pass() const { return actors_.empty(); }
+  // compute_forces() and advance() at once, for a step that is not the last; state().force then holds what it needed.
+  void compute_forces_and_advance(double step_before, double step);
   [[nodiscard]] double kick() const { return kick_; }  // s; what the last step's grip forces were averaged over
 
   // Positions that follow what was advanced freely or set by hand.
@@ -111,6 +119,7 @@ public:
 
 private:
   void add_own_actors(const PlySetup& setup);
+  void note_motion(const Motion::Outcome& outcome, double step_before);
   [[nodiscard]] std::string lost_position(const std::function<std::string()>& advice) const;
   [[nodiscard]] std::string torn_yarn(const std::function<std::string()>& advice, bool is_hasty) const;
 
@@ -141,6 +150,7 @@ private:
   double kinetic_ = 0.0, damping_work_ = 0.0;        // mJ
   double damping_power_before_ = 0.0;                // mJ/s
   double kick_ = 0.0;                                // s
+  std::array<double, 2> viscosity_ = {0.0, 0.0};     // MPa s; of each family, from the next motion on
 };
 
 }  // namespace weaveform

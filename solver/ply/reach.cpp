@@ -36,7 +36,15 @@ bool Reach::passed_by(const FamilyStrains& now, double sharpest) {
   if (fixed_) return false;
   reached_sharpest_ = std::max(reached_sharpest_, sharpest);
   for (std::size_t f = 0; f < now.size(); ++f) reached_[f].hold(now[f]);
-  return !allowed_[0].holds(now[0]) || !allowed_[1].holds(now[1]) || sharpest > allowed_sharpest_;
+  return !allows(now, sharpest);
+}
+
+bool Reach::passed() const {
+  return !fixed_ && !allows(reached_, reached_sharpest_);
+}
+
+bool Reach::allows(const FamilyStrains& strains, double sharpest) const {
+  return allowed_[0].holds(strains[0]) && allowed_[1].holds(strains[1]) && sharpest <= allowed_sharpest_;
 }
 
 void Reach::renew() {

@@ -36,6 +36,8 @@ public:
   // Notes the yarns' strains and the cells' greatest sin^2 gamma of this step; true when the step must be renewed because
   // they are beyond the allowed ones.
   [[nodiscard]] bool passed_by(const FamilyStrains& now, double sharpest);
+  // Whether any of them since the last renewal were.
+  [[nodiscard]] bool passed() const;
   // From now on what was reached since the last renewal is allowed, with a margin.
   void renew();
   [[nodiscard]] const FamilyStrains& allowed() const { return allowed_; }
@@ -43,6 +45,8 @@ public:
   void archive(Archive& archive);
 
 private:
+  [[nodiscard]] bool allows(const FamilyStrains& strains, double sharpest) const;
+
   bool fixed_;
   FamilyStrains allowed_, reached_;
   double allowed_sharpest_, reached_sharpest_ = 0.0;  // sin^2 gamma

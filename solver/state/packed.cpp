@@ -22,7 +22,7 @@ void index_nodes(const Mesh& mesh, PackedMesh& packed) {
     packed.packed_of_mesh[n] = index;
     if (i >= 0) marked[index] = 1;
   }
-  packed.nodes = std::max(packed.nodes, packed.lattice_nodes() + 1);  // the last row's padding reads one beyond it
+  packed.nodes = whole_vectors(std::max(packed.nodes, packed.lattice_nodes() + 1));  // a row's padding reads one beyond
   packed.node_runs = runs_of(marked, packed.stride, packed.rows);
   packed.mass.assign(packed.nodes, 1.0);
   for (int n = 0; n < mesh.node_count(); ++n) packed.mass[packed.packed_of_mesh[n]] = mesh.nodes.mass[n];

@@ -57,9 +57,9 @@ struct LooseCells {
 };
 
 struct PackedMesh {
-  int stride = 0;                                      // doubles per row, a multiple of the vector width
-  int rows = 0;                                        // rows of crossings
-  int nodes = 0;                                       // stride * rows + yarn ends, and at least one more than the rows
+  int stride = 0;  // doubles per row, a multiple of the vector width
+  int rows = 0;    // rows of crossings
+  int nodes = 0;   // stride * rows + yarn ends, in whole vectors, and at least one more than the rows
   std::array<double, 2> spacing = {0.0, 0.0};          // mm
   RowRuns node_runs, warp_runs, weft_runs, cell_runs;  // weft and cell runs of row j join rows j and j+1
   std::vector<double> warp_section, weft_section;      // mm^2; per first node, 0 where there is none

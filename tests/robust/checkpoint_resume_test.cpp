@@ -58,6 +58,7 @@ const std::vector<Case> cases = {
             "-9810]\n")},
     {"seatbelt", pulled("[model]\nyarn = \"seatbelt\"\npartner = \"compression\"\n")},
     {"reached", pulled("[analysis]\nstep_bound = \"reached\"\n")},
+    {"single", pulled("[analysis]\nprecision = \"single\"\n")},
     {"mass_scaled", pulled("[analysis]\nmass_scale = 3.0\n")},
     {"perturbed", pulled("[analysis]\nperturbation = 0.05\n")},
     {"deformable_frame",

@@ -57,9 +57,10 @@ struct FabricPatch {
   }
 
   // Internal force on every mesh node, N.
-  [[nodiscard]] std::vector<Eigen::Vector3d> forces(int threads = 1) {
+  [[nodiscard]] std::vector<Eigen::Vector3d> forces(int threads = 1,
+                                                    Precision precision = Precision::double_precision) {
     Team team(threads);
-    FabricForces fabric(packed, card, laws, scene.model, initial_state(packed, mesh), team);
+    FabricForces fabric(packed, card, laws, scene.model, initial_state(packed, mesh), team, precision);
     fabric.compute(state);
     std::vector<Eigen::Vector3d> result;
     for (const int n : packed.packed_of_mesh)

@@ -55,7 +55,7 @@ public:
         elastic_(packed_, card, laws_, model, state_, alone()),
         energy_(mesh_, card, laws_, model),
         critical_(mesh_, card, laws_, model, held()),
-        motion_(packed_, 0.0, alone()),
+        motion_(packed_, forces_.bands(), std::vector<char>(packed_.nodes, 0), 0.0, alone()),
         viscosity_(viscosity),
         factor_(step_factor) {
     for (int n = 0; n < mesh_.node_count(); ++n)

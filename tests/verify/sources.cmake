@@ -27,6 +27,7 @@ set(VERIFY_SOURCES
   verify/stability_mass_scaling_test.cpp
   verify/stability_tool_radius_test.cpp
   verify/unit_cell_test.cpp
+  verify/single_precision_test.cpp
   verify/step_bound_test.cpp
   verify/bending_closed_forms_test.cpp
   verify/stability_compression_test.cpp

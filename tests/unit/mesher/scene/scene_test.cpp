@@ -75,6 +75,7 @@ Scene unusual_scene() {
                     .inertia = 0.03,
                     .step_factor = 0.5,
                     .step_bound = StepBound::reached,
+                    .precision = Precision::single_precision,
                     .bending_every = 3,
                     .mass_scale = 2.5,
                     .contact_stiffness = 0.125,

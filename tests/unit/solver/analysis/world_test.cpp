@@ -53,6 +53,37 @@ TEST(World, GivesPliesThatDoNotTouchTheBitsOfTheirSingleRuns) {
   EXPECT_GT(moved, 0.001) << "nothing happened";
 }
 
+// Forces and motion of the free nodes in one pass, the outer bands of each thread and the waiting nodes after it.
+TEST(World, OnePassGivesTheBitsOfForcesAndThenMotion) {
+  for (const double yarn_angle : {0.0, 20.0, 45.0})
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+      Scene scene = pulled("twintex-pw", yarn_angle, 4.0);
+      scene.blank.size = {160.0, 240.0};
+      scene.blank.coarsening = {1.0, 1.0};
+      scene.analysis.precision = precision;
+      scene.analysis.step_bound = StepBound::stiffest;
+      scene.analysis.damping = 5.0;
+      test::SmallWorld in_turn({scene});
+      in_turn.run(60);
+      for (const int threads : {1, 2, 3}) {
+        test::SmallWorld at_once({scene}, std::numeric_limits<double>::infinity(), threads);
+        at_once->start();
+        ASSERT_TRUE(at_once->moves_in_one_pass());
+        at_once->advance(false);
+        for (int n = 1; n < 60; ++n) at_once->compute_forces_and_advance();
+        at_once->compute_forces();
+        EXPECT_EQ(state_digest(*at_once), state_digest(*in_turn)) << yarn_angle << " deg, " << threads << " threads";
+      }
+    }
+}
+
+TEST(World, WithAnActorForcesAndMotionAreApart) {
+  Scene scene = pulled("twintex-pw", 0.0, 1.0);
+  scene.model.yarn = YarnElement::beam;
+  EXPECT_FALSE(test::SmallWorld({scene})->moves_in_one_pass());
+  EXPECT_FALSE(test::SmallWorld({test::drawing()})->moves_in_one_pass());
+}
+
 TEST(World, TakesTheStepOfThePlyThatNeedsTheShortest) {
   const Scene coarse = pulled("twintex-pw", 0.0, 1.0);
   Scene fine = coarse;

@@ -30,6 +30,59 @@ TEST(InverseRoot, IsRightToTheLastBits) {
   EXPECT_EQ(inverse_root(1.0), 1.0);
 }
 
+using SingleLanes = PackOf<parts_of_block, float>;
+
+SingleLanes in_single(const double (&numbers)[lane_count]) {
+  return narrow<SingleLanes>(load_lanes(numbers));
+}
+
+// 2e-7: two or three roundings of 6e-8
+TEST(SinglePrecision, InverseRootIsRightToTheLastBits) {
+  std::mt19937_64 generator(12);
+  std::uniform_real_distribution<double> exponent(-40.0, 40.0);
+  for (int n = 0; n < 20000; ++n) {
+    double x[lane_count];
+    for (double& one : x) one = static_cast<float>(std::exp(exponent(generator)));
+    const SingleLanes root = inverse_root(in_single(x));
+    for (int l = 0; l < lane_count; ++l)
+      EXPECT_LT(relative_error(root[l], 1.0L / std::sqrt(static_cast<long double>(x[l]))), 2e-7) << x[l];
+  }
+}
+
+TEST(SinglePrecision, LogarithmIsRightToTheLastBits) {
+  std::mt19937_64 generator(13);
+  std::uniform_real_distribution<double> exponent(-3.0, 3.0), around(-0.5, 0.5);
+  for (int n = 0; n < 20000; ++n) {
+    double a[lane_count], b[lane_count];
+    for (int l = 0; l < lane_count; ++l) {
+      b[l] = static_cast<float>(std::exp(exponent(generator)));
+      a[l] = static_cast<float>(b[l] * std::exp(l % 2 == 0 ? around(generator) : exponent(generator)));
+    }
+    const SingleLanes logarithm = half_log(in_single(a), in_single(b));
+    for (int l = 0; l < lane_count; ++l) {
+      const long double exact = 0.5L * std::log(static_cast<long double>(a[l]) / b[l]);
+      EXPECT_LE(std::abs(logarithm[l] - exact), 3e-7L * std::abs(exact)) << a[l] << " over " << b[l];
+    }
+  }
+}
+
+// The strain of a yarn hangs on the difference of two squares that are nearly the same: given exactly, a strain of 1e-6
+// is as right as one of 0.1.
+TEST(SinglePrecision, SmallStrainsLoseNoDigits) {
+  for (double strain = 0.2; strain > 1e-7; strain /= 3.0) {
+    double square[lane_count], rest_square[lane_count], excess[lane_count];
+    for (int l = 0; l < lane_count; ++l) {
+      const double rest = 1.0 + 0.37 * l;
+      rest_square[l] = rest * rest;
+      square[l] = rest_square[l] * std::exp(2.0 * (l % 2 == 0 ? strain : -strain));
+      excess[l] = rest_square[l] * std::expm1(2.0 * (l % 2 == 0 ? strain : -strain));
+    }
+    const auto parts = half_log_parts(in_single(square), in_single(rest_square), in_single(excess));
+    const SingleLanes found = parts.value(parts.numerator / parts.denominator);
+    for (int l = 0; l < lane_count; ++l) EXPECT_NEAR(found[l], l % 2 == 0 ? strain : -strain, 3e-7 * strain);
+  }
+}
+
 TEST(InverseRoot, OfWhatIsNoNumberIsNone) {
   EXPECT_TRUE(std::isnan(inverse_root(std::nan(""))));
 }
@@ -38,15 +91,18 @@ template <Section section>
 void expect_yarns_alike(const PaperLaw& law, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> strain(-0.3, 0.3);
   const double rest = 4.92, area = 1.3;
-  double square[lane_count], together[lane_count], inverses[lane_count];
-  for (double& s : square) s = std::pow(rest * std::exp(strain(generator)), 2);
+  double square[lane_count], excess[lane_count], together[lane_count], inverses[lane_count];
+  for (int l = 0; l < lane_count; ++l) {
+    square[l] = std::pow(rest * std::exp(strain(generator)), 2);
+    excess[l] = square[l] - rest * rest;
+  }
   Lanes inverse;
-  store_lanes(together, yarn_force_per_length<section>(law, load_lanes(square), spread<Lanes>(rest),
+  store_lanes(together, yarn_force_per_length<section>(law, load_lanes(square), load_lanes(excess), spread<Lanes>(rest),
                                                        spread<Lanes>(area), inverse));
   store_lanes(inverses, inverse);
   for (int l = 0; l < lane_count; ++l) {
     double inverse_alone = 0.0;
-    EXPECT_EQ(together[l], yarn_force_per_length<section>(law, square[l], rest, area, inverse_alone));
+    EXPECT_EQ(together[l], yarn_force_per_length<section>(law, square[l], excess[l], rest, area, inverse_alone));
     EXPECT_EQ(inverses[l], inverse_alone);
     EXPECT_NEAR(inverse_alone * square[l], 1.0, 1e-15);
   }
