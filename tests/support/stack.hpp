@@ -17,7 +17,7 @@ namespace weaveform::test {
 class Stack {
 public:
   // From bottom to top; each ply lies where its scene says. The law is that of all pairs.
-  explicit Stack(const std::vector<Scene>& scenes, PairLaw law = {}, int threads = 1, double frequency = 1e5)
+  explicit Stack(const std::vector<Scene>& scenes, const PairLaw& law = {}, int threads = 1, double frequency = 1e5)
       : scenes_(scenes.begin(), scenes.end()), team_(threads) {
     std::vector<Ply*> all;
     for (const auto& scene : scenes_) {
