@@ -26,6 +26,11 @@ std::string unfinished_warning(const SolveStatistics& s) {
       s.time_s, s.duration_s, s.duration_s > 0.0 ? 100.0 * s.time_s / s.duration_s : 0.0);
 }
 
+// Forming has looked at them already, for it knows the tools.
+Waves waves_of(const Resolved& ply, const Fields& end, const std::optional<Forming>& forming) {
+  return forming ? forming->waves : evaluate_waves(ply.scene.model, ply.mesh, end, nullptr);
+}
+
 // Of a stack each ply by itself.
 PlySummary summarise_ply(const Resolved& model, std::size_t number, const Fields& end, const History& history) {
   const Resolved& ply = model.ply[number];
@@ -42,6 +47,7 @@ PlySummary summarise_ply(const Resolved& model, std::size_t number, const Fields
     summary.beyond_card += std::abs(angle) * degrees_per_radian > ply.card.shear.valid_to_deg ? 1 : 0;
   summary.forming = evaluate_forming(ply.scene, ply.mesh, ply.tools, end, history);
   summary.folds = find_folds(ply.scene, ply.mesh, end.position);
+  summary.waves = waves_of(ply, end, summary.forming);
   return summary;
 }
 
@@ -56,6 +62,7 @@ void evaluate_plies(const Resolved& model, const Fields& end, const History& his
     of_ply.statistics = summary.statistics;
     of_ply.forming = summary.ply.back().forming;
     of_ply.folds = summary.ply.back().folds;
+    of_ply.waves = summary.ply.back().waves;
     for (const std::string& line :
          warnings({ply.scene, ply.card, ply.mesh, ply.tools, ply.extent(), own, history, of_ply}, WarningsOf::one_ply))
       of_plies.push_back(name_before(model, k) + line);
@@ -115,6 +122,7 @@ Evaluation evaluate(ResultFolder& folder) {
     if (scene.frame) summary.frame = compare_shear_frame(scene, card, history);
     summary.forming = evaluate_forming(scene, mesh, model.tools, end, history);
     summary.folds = find_folds(scene, mesh, end.position);
+    summary.waves = waves_of(model, end, summary.forming);
     summary.warning = warnings({scene, card, mesh, model.tools, model.extent(), end, history, summary});
   } else {
     evaluate_plies(model, end, history, summary);

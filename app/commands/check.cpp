@@ -14,6 +14,7 @@
 #include "app/stages/stages.hpp"
 #include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
+#include "post/trust/expected_waves.hpp"
 
 namespace weaveform {
 
@@ -46,7 +47,7 @@ void add_check_command(CLI::App& program) {
     const auto duration = choose_duration(scene.scene, scene.overrides);
     set_duration(model, duration);
     const ExpectedRun expected = require_room(model, default_result_folder(scene.scene), scene.yes);
-    log_warnings(early_warnings(model));
+    log_warnings(warnings_before(model));
     const std::string resolved = arguments->resolved ? resolved_text(model) : "";
     if (arguments->json) return print_answer(json_text(check_json(model, expected, resolved)));
     print_answer(commented(describe(model)) + (duration ? commented(describe(*duration)) : "") +

@@ -15,6 +15,7 @@
 #include "app/stages/plan.hpp"
 #include "app/stages/stages.hpp"
 #include "core/json/json_text.hpp"
+#include "post/trust/expected_waves.hpp"
 
 namespace weaveform {
 
@@ -42,7 +43,7 @@ void make_mesh(const MeshArguments& arguments) {
   if (!arguments.quiet) log_start("mesh", model.scene, arguments.verbose);
   const OutputFolder folder(result_claim(directory, model.scene));
   log_warning(folder.trouble());
-  log_warnings(early_warnings(model));
+  log_warnings(warnings_before(model));
   (void)write_model(model, directory, console_listener(arguments.quiet));
   if (arguments.quiet) return;
   if (duration) log_line(describe(*duration));

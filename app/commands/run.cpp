@@ -20,6 +20,7 @@
 #include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
 #include "post/report/result_report.hpp"
+#include "post/trust/expected_waves.hpp"
 
 namespace weaveform {
 
@@ -113,7 +114,7 @@ void run(const RunArguments& arguments) {
   }
   const OutputFolder folder(result_claim(directory, model.scene));
   log_warning(folder.trouble());
-  const std::vector<std::string> said = early_warnings(model);
+  const std::vector<std::string> said = warnings_before(model);
   log_warnings(said);
   const Listener listener = console_listener(arguments.solve.quiet);
   ResultFolder result = arguments.solve.resume ? go_on_with_model(std::move(model), directory, listener)

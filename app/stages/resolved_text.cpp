@@ -7,6 +7,8 @@
 #include "core/keys/key_value.hpp"
 #include "core/version/version.hpp"
 #include "mesher/resolve/resolve.hpp"
+#include "post/forming/waves.hpp"
+#include "post/trust/expected_waves.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/element/yarn_law.hpp"
@@ -71,6 +73,11 @@ void add_laws(const Resolved& model, const std::string& table, Lines& lines) {
   lines.add("shear_tangent", shear_tangent(card.shear, 0.0), "MPa; unsheared");
   lines.add("shear_valid_to", card.shear.valid_to_deg, "deg");
   const Flexure flexure = choose_flexure(card, model.scene.model);
+  if (const auto waves = expected_waves(model)) {
+    lines.add("expected_wavelength", waves->wavelength, "mm; of wrinkles, if any: docs/wrinkles.md");
+    lines.add("cells_per_expected_wave", waves->cells,
+              fmt::format("{:g} or more make it the fabric's", least_cells_per_wave));
+  }
   lines.add("bends", flexure.bends_yarns || flexure.rotation_free || flexure.has_shell);
 }
 

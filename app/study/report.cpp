@@ -17,6 +17,7 @@
 #include "app/study/table.hpp"
 #include "app/study/work_precision.hpp"
 #include "app/study/work_precision_report.hpp"
+#include "app/study/wrinkle_report.hpp"
 #include "core/chart/chart.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
@@ -137,6 +138,18 @@ void write_convergence(const Study& study, const std::vector<ConvergenceOf>& con
   page.answers.emplace_back("Convergence", text);
 }
 
+// Where the cases differ in their coarsening, and any of them wrinkles.
+void write_wrinkles(const Table& table, const fs::path& study_folder, Report& report, StudyPage& page) {
+  const std::vector<WrinklesOf> wrinkles = wrinkles_of(table, study_folder);
+  if (wrinkles.empty()) return;
+  const std::string text = wrinkles_markdown(wrinkles, table);
+  write_text_whole(study_folder / report_name::wrinkles, text);
+  write_text_whole(study_folder / report_name::wrinkles_table, wrinkles_csv(wrinkles, table));
+  report.answer += "\n" + text;
+  report.json["wrinkles"] = wrinkles_json(wrinkles, table);
+  page.answers.emplace_back("Wrinkles", text);
+}
+
 void write_work_precision(const Study& study, const Measures& measures, const std::vector<ConvergenceOf>& convergence,
                           const Table& table, const fs::path& study_folder, Report& report, StudyPage& page) {
   const auto charts = work_precision_of(study, measures.charted, convergence, table, report.complaints);
@@ -204,6 +217,7 @@ Report write_report(const Study& study, const std::vector<Case>& cases, const fs
     convergence = convergence_of(*study.convergence, measures.converging, table);
     write_convergence(study, convergence, table, study_folder, report, page);
   }
+  write_wrinkles(table, study_folder, report, page);
   // Before the charts, which may find the reference case unfit.
   write_text_whole(study_folder / report_name::table, to_csv(table, measures.columns));
   if (study.work_precision && report.done > 0)

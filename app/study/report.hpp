@@ -1,5 +1,5 @@
 // From the cases a study has run to its files: study.csv; convergence.md and .csv; work_precision.md, .csv and charts;
-// border.md, .csv and .svg; report.html.
+// wrinkles.md and .csv; border.md, .csv and .svg; report.html.
 #pragma once
 
 #include <filesystem>
@@ -16,16 +16,18 @@ namespace report_name {
 inline constexpr const char *table = "study.csv", *convergence = "convergence.md";
 inline constexpr const char *convergence_table = "convergence.csv", *work_precision = "work_precision.md";
 inline constexpr const char* work_precision_table = "work_precision.csv";
+inline constexpr const char *wrinkles = "wrinkles.md", *wrinkles_table = "wrinkles.csv";
 inline constexpr const char* page = "report.html";
 inline constexpr const char *border = "border.md", *border_table = "border.csv", *border_chart = "border.svg";
 }  // namespace report_name
 
 // All of them, the charts of work_precision_report.hpp too; those of an earlier report go when a new one is written.
 [[nodiscard]] inline FileNames report_files() {
-  return {report_name::table,        report_name::convergence,    report_name::convergence_table,
-          report_name::border,       report_name::work_precision, report_name::work_precision_table,
-          report_name::border_table, report_name::page,           "work_precision.html",
-          "work_precision_*.svg",    report_name::border_chart};
+  return {report_name::table,       report_name::convergence,    report_name::convergence_table,
+          report_name::border,      report_name::work_precision, report_name::work_precision_table,
+          report_name::wrinkles,    report_name::wrinkles_table, report_name::border_table,
+          report_name::page,        "work_precision.html",       "work_precision_*.svg",
+          report_name::border_chart};
 }
 
 // All measures the study needs: its own first (so many are the columns of study.csv), then what only [convergence] and

@@ -65,6 +65,11 @@ struct ModelSpec {
   return model.yarn != YarnElement::seatbelt || model.partner == SeatbeltPartner::compression;
 }
 
+// Whether anything resists bending out of the plane.
+[[nodiscard]] inline bool has_bending(const ModelSpec& model) {
+  return model.yarn == YarnElement::beam || model.cell != CellElement::membrane;
+}
+
 // One ply of a stack. What its table leaves out is that of [blank], [fabric] and [model].
 struct PlySpec {
   std::string name;

@@ -20,7 +20,6 @@ std::optional<Forming> evaluate_forming(const Scene& scene, const Mesh& mesh, co
   if (tools.empty()) return {};
   const std::vector<PlacedTool> placed = place_tools(tools, history, fields.time);
   Forming forming;
-  forming.has_bending = scene.model.yarn == YarnElement::beam || scene.model.cell != CellElement::membrane;
   forming.axis = part_axis(scene, tools);
   forming.punch = punch_curve(scene, history);
   forming.balance = force_balance(scene, tools, history);
@@ -31,6 +30,7 @@ std::optional<Forming> evaluate_forming(const Scene& scene, const Mesh& mesh, co
   forming.outline = outline_nodes(mesh);
   forming.draw_in = draw_in(forming.outline, flat_positions(mesh), fields.position, forming.axis);
   forming.wrinkles = find_wrinkles(mesh, fields.position, placed, forming.wrinkle_limits);
+  forming.waves = evaluate_waves(scene.model, mesh, fields, &forming.wrinkles);
   for (const Vec3& x : fields.position)
     forming.gap.push_back(gap_to(placed[nearest_tool(placed, vector_of(x))], vector_of(x)).gap);
   forming.flat_thickness = mesh.thickness;

@@ -13,6 +13,7 @@
 #include "post/forming/net_on_sphere.hpp"
 #include "post/forming/outline.hpp"
 #include "post/forming/punch_force.hpp"
+#include "post/forming/waves.hpp"
 #include "post/forming/wrinkles.hpp"
 
 namespace weaveform {
@@ -42,8 +43,8 @@ struct Forming {
   DrawIn draw_in;
   WrinkleLimits wrinkle_limits;
   Wrinkles wrinkles;
-  bool has_bending = false;  // of the model; without, wrinkles are as short as the cells, and their size is the mesh's
-  std::vector<double> gap;   // mm; per node, to the nearest tool
+  Waves waves;
+  std::vector<double> gap;                                      // mm; per node, to the nearest tool
   double thinnest = 0.0, thickest = 0.0, flat_thickness = 0.0;  // mm
   std::optional<SphereNetFit> sphere_net;                       // when the scene has a spherical tool
 };

@@ -69,6 +69,10 @@ std::string sphere_lines(const SphereNetFit& fit) {
       holds_within, fit.holds_to);
 }
 
+bool is_of_the_mesh(const Forming& forming) {
+  return forming.waves.are() == WavesOf::mesh || (forming.wrinkles.area_share > 0.0 && !forming.waves.bends);
+}
+
 }  // namespace
 
 Json forming_loads_json(const Forming& forming) {
@@ -108,7 +112,7 @@ Json forming_json(const Forming& forming) {
   json["wrinkles"] = {{"area_share", forming.wrinkles.area_share},
                       {"relief_mm", forming.wrinkles.greatest_relief},
                       {"curvature_per_mm", forming.wrinkles.greatest_curvature},
-                      {"of_the_mesh", forming.wrinkles.area_share > 0.0 && !forming.has_bending},
+                      {"of_the_mesh", is_of_the_mesh(forming)},
                       {"relief_limit_mm", forming.wrinkle_limits.relief(thickness)},
                       {"curvature_limit_per_mm", forming.wrinkle_limits.curvature(thickness)}};
   json["thickness_mm"] = {{"flat", thickness}, {"least", forming.thinnest}, {"largest", forming.thickest}};

@@ -6,26 +6,11 @@
 #include <set>
 
 #include "post/forming/fabric_surface.hpp"
+#include "post/forming/yarn_path.hpp"
 #include "solver/bending/bending_energy.hpp"
 
 namespace weaveform {
 namespace {
-
-// The yarn elements that follow and precede each node along one family; -1: none. Free ends tied in line with their
-// yarn tell nothing.
-struct YarnPath {
-  std::vector<int> after, before;
-};
-
-YarnPath yarn_path(const Mesh& mesh, Family family) {
-  YarnPath path{std::vector<int>(mesh.node_count(), -1), std::vector<int>(mesh.node_count(), -1)};
-  for (int e = 0; e < mesh.yarn_count(); ++e) {
-    if (mesh.yarns.family[e] != family || mesh.yarns.softening[e] == 0.0) continue;
-    path.after[mesh.yarns.node[e][0]] = e;
-    path.before[mesh.yarns.node[e][1]] = e;
-  }
-  return path;
-}
 
 // Curvature out of the fabric's plane of both yarns, from the bend's own nodes taken from `place`.
 std::array<double, 2> out_of_plane(const Bend& bend, const std::vector<Vec3>& place) {
@@ -61,7 +46,10 @@ struct Interval {
     low = std::min(low, curvature);
     high = std::max(high, curvature);
   }
-  [[nodiscard]] double excess(double curvature) const { return std::max({curvature - high, low - curvature, 0.0}); }
+  // Signed as the curvature is against the fabric's normal.
+  [[nodiscard]] double excess(double curvature) const {
+    return std::max(curvature - high, 0.0) - std::max(low - curvature, 0.0);
+  }
 };
 
 // Per family. `place` holds the bend's own nodes.
@@ -134,7 +122,8 @@ double WrinkleLimits::curvature(double thickness) const {
 Wrinkles find_wrinkles(const Mesh& mesh, const std::vector<Vec3>& position, const std::vector<PlacedTool>& tools,
                        const WrinkleLimits& limits) {
   const auto nodes = static_cast<std::size_t>(mesh.node_count());
-  Wrinkles wrinkles{std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 0.0), std::vector<bool>(nodes, false)};
+  const std::vector<double> none(nodes, 0.0);
+  Wrinkles wrinkles{none, none, {none, none}, std::vector<bool>(nodes, false)};
   const std::array<YarnPath, 2> path = {yarn_path(mesh, Family::warp), yarn_path(mesh, Family::weft)};
   const double least_relief = limits.relief(mesh.thickness), least_curvature = limits.curvature(mesh.thickness);
   for (const Bend& bend : find_bends(mesh, std::vector<char>(nodes, 0))) {
@@ -149,7 +138,8 @@ Wrinkles find_wrinkles(const Mesh& mesh, const std::vector<Vec3>& position, cons
     const auto allowed = tool_curvatures(around, fabric, tools);
     for (std::size_t f = 0; f < 2; ++f) {
       if (bend.yarn[f].yarns == 0.0) continue;
-      const double curvature = allowed[f].excess(kf[f]);
+      wrinkles.excess[f][n] = allowed[f].excess(kf[f]);
+      const double curvature = std::abs(wrinkles.excess[f][n]);
       const double relief = relief_along(mesh, path[f], n, position, tool, 0.5 * limits.length * mesh.thickness);
       if (relief > least_relief && curvature > least_curvature) wrinkles.wrinkled[n] = true;
       if (relief * curvature < wrinkles.relief[n] * wrinkles.curvature[n]) continue;

@@ -15,6 +15,7 @@
 // Neither alone will do: free spans between tools stand off without wrinkles, the rims of tools bend fabric without.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mesher/mesh/mesh.hpp"
@@ -32,8 +33,9 @@ struct WrinkleLimits {
 
 struct Wrinkles {
   // Per node; 0 where no yarn runs on through it. Of the yarn with the greater product of both.
-  std::vector<double> relief;     // mm
-  std::vector<double> curvature;  // 1/mm
+  std::vector<double> relief;                 // mm
+  std::vector<double> curvature;              // 1/mm
+  std::array<std::vector<double>, 2> excess;  // 1/mm; the curvature of warp and weft, positive towards warp x weft
   std::vector<bool> wrinkled;
   double area_share = 0.0;          // 1; of the flat area, a cell's in equal parts to its nodes
   double greatest_relief = 0.0;     // mm; among wrinkled nodes

@@ -106,6 +106,7 @@ Json ply_json(const PlySummary& ply) {
     for (const char* of_all : {"axis", "punch", "force_balance"}) json["forming"].erase(of_all);
   }
   if (ply.folds) json["folds"] = folds_json(*ply.folds);
+  json["wrinkles"] = waves_json(ply.waves);
   return json;
 }
 
@@ -171,7 +172,10 @@ Json summary_json(const Summary& summary) {
   if (summary.frame) json["frame"] = frame_json(*summary.frame);
   if (summary.forming) json["forming"] = forming_json(*summary.forming);
   if (summary.folds) json["folds"] = folds_json(*summary.folds);
-  if (!summary.ply.empty()) add_plies(summary, json);
+  if (summary.ply.empty())
+    json["wrinkles"] = waves_json(summary.waves);
+  else
+    add_plies(summary, json);
   json["warnings"] = summary.warning;
   return json;
 }

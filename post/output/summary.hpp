@@ -49,6 +49,7 @@ struct PlySummary {
   int folded = 0, beyond_card = 0;  // cells
   std::optional<Forming> forming;   // when the scene has tools
   std::optional<Folds> folds;       // when it has none
+  Waves waves;
 };
 
 struct Summary {
@@ -60,8 +61,9 @@ struct Summary {
   std::optional<FrameComparison> frame;  // when the scene has a shear frame
   std::optional<Forming> forming;        // when the scene has tools
   std::optional<Folds> folds;            // when it has none
-  std::vector<PlySummary> ply;           // of a stack, which has forming and folds here
-  std::vector<std::string> warning;      // what the run says against itself (post/trust/warnings.hpp)
+  Waves waves;
+  std::vector<PlySummary> ply;       // of a stack, which has forming, folds and waves here
+  std::vector<std::string> warning;  // what the run says against itself (post/trust/warnings.hpp)
 };
 
 // Grips, tools and measures of the scene at the history's last row. Throws InputError when the history has no row or
@@ -72,8 +74,8 @@ struct Summary {
 
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
 // "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
-// shear frame "frame"; for a scene with tools "forming", for one without "folds"; of a stack these in "plies" by name,
-// and "pairs" by "LOWER/UPPER", what plies did to each other; "warnings", a list of lines.
+// shear frame "frame"; for a scene with tools "forming", for one without "folds"; "wrinkles" (post/forming/waves.hpp); of
+// a stack these in "plies" by name, and "pairs" by "LOWER/UPPER", what plies did to each other; "warnings", a list of lines.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Summary& summary);
 // That document as a file. Throws FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);

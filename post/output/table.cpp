@@ -128,6 +128,9 @@ std::string ply_lines(const Summary& summary) {
     if (ply.folds) text += aligned(100.0 * ply.folds->zigzag_share, 2, 12);
     text += "\n";
   }
+  for (const PlySummary& ply : summary.ply)
+    if (const std::string lines = waves_table(ply.waves); !lines.empty())
+      text += fmt::format("of {}\n{}", ply.name, lines);
   return text;
 }
 
@@ -201,6 +204,7 @@ std::string summary_table(const Summary& summary) {
   if (!summary.ply.empty() && summary.ply.front().forming) text += forming_loads_table(*summary.ply.front().forming);
   if (summary.frame) text += frame_lines(*summary.frame);
   if (summary.forming) text += forming_table(*summary.forming);
+  text += waves_table(summary.waves);
   if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);
   if (!summary.warning.empty()) text += "\n";
   for (const std::string& line : summary.warning) text += "warning " + line + "\n";

@@ -97,6 +97,7 @@ Chart energy_chart(const History& history, const Progress& progress) {
   for (const auto& [column, label] : {std::pair{"external_work_mJ", "work of grips and tools"},
                                       {"internal_energy_mJ", "internal"},
                                       {"damping_work_mJ", "damping and friction"},
+                                      {"bending_friction_work_mJ", "friction in bending (part of it)"},
                                       {"kinetic_energy_mJ", "kinetic"},
                                       {"bending_energy_mJ", "bending (part of internal)"}}) {
     if (history.index(column) < 0) continue;

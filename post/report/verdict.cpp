@@ -118,6 +118,13 @@ void add_shape(Json& rows, const Summary& summary) {
     rows.push_back(row("thickness", fmt::format("{:.3g} to {:.3g} mm", forming.thinnest, forming.thickest),
                        fmt::format("{:.3g} mm flat", forming.flat_thickness)));
   }
+  if (summary.waves.are() != WavesOf::nobody)
+    rows.push_back(row("wrinkles' length and height", fmt::format("{:.3g} mm", summary.waves.all.wavelength),
+                       waves_in_words(summary.waves)));
+  if (summary.ply.empty())
+    rows.push_back(
+        row("compressed fibre", percent(summary.waves.compressed_share),
+            fmt::format("of all, by more than {:g} %: where it will wrinkle next", 100.0 * compressed_from)));
   if (summary.folds)
     rows.push_back(row("folded from cell to cell", percent(summary.folds->zigzag_share),
                        fmt::format("of the area; farthest from its plane {:.3g} mm", summary.folds->out_of_plane)));
@@ -130,6 +137,7 @@ void add_plies(Json& rows, const Summary& summary) {
       note += fmt::format("; draw-in {:.3g} mm at most, {:.3g} mm in the mean; {} of the area wrinkled",
                           ply.forming->draw_in.greatest, ply.forming->draw_in.mean,
                           percent(ply.forming->wrinkles.area_share));
+    if (ply.waves.are() != WavesOf::nobody) note += "; wrinkles are " + waves_in_words(ply.waves);
     rows.push_back(row(fmt::format("ply {}", ply.name), fmt::format("{:.1f}°", ply.max_shear_angle), note));
   }
   for (const PairStatistics& pair : summary.statistics.pairs)
@@ -172,13 +180,10 @@ Json trust_of(ResultFolder& folder, const Summary& summary) {
       "This "
       "one has {} cells{}.",
       s.cells, s.symmetry == "none" ? "" : fmt::format(", of which a {} was solved by symmetry", s.symmetry)));
-  const auto bends = [](const ModelSpec& model) {
-    return model.yarn == YarnElement::beam || model.cell != CellElement::membrane;
-  };
-  const bool has_bending = scene.ply.empty() ? bends(scene.model)
-                                             : std::all_of(scene.ply.begin(), scene.ply.end(),
-                                                           [&](const PlySpec& ply) { return bends(ply.model); });
-  if (!has_bending)
+  const bool all_bend = scene.ply.empty() ? has_bending(scene.model)
+                                          : std::all_of(scene.ply.begin(), scene.ply.end(),
+                                                        [](const PlySpec& ply) { return has_bending(ply.model); });
+  if (!all_bend)
     trust.push_back(
         "Without bending stiffness folds are as short as the cells: where it wrinkles is the fabric's answer, how "
         "long and how high is the mesh's.");

@@ -48,7 +48,7 @@ constexpr std::array<Quantity, 14> quantities = {{{"displacement_mm", "travel of
                                                   {"min", "least shear angle of"},
                                                   {"max", "greatest shear angle of"}}};
 // Numbers of the whole run.
-constexpr std::array<Quantity, 11> whole_run = {{{"max_shear_angle_deg", "greatest shear angle"},
+constexpr std::array<Quantity, 12> whole_run = {{{"max_shear_angle_deg", "greatest shear angle"},
                                                  {"max_yarn_strain", "greatest yarn strain"},
                                                  {"wall_s", "time of the solve"},
                                                  {"time_s", "time in the analysis"},
@@ -56,6 +56,7 @@ constexpr std::array<Quantity, 11> whole_run = {{{"max_shear_angle_deg", "greate
                                                  {"kinetic_to_internal", "kinetic over internal energy"},
                                                  {"external_work_mJ", "work of grips and tools"},
                                                  {"damping_work_mJ", "work of damping and friction"},
+                                                 {"bending_friction_work_mJ", "work of friction in bending"},
                                                  {"cells_beyond_card", "cells sheared beyond the card's range"},
                                                  {"step_s", "smallest step"},
                                                  {"contact_penetration", "greatest penetration over thickness"}}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/bending/flexure.hpp"
 #include "solver/result/file_names.hpp"
 
 namespace weaveform {
@@ -59,6 +60,11 @@ Outputs::Outputs(const Resolved& model, const World& world, std::filesystem::pat
       recorder_(grips_.grips(), make_probes(model), world.duration(), scene_.output.history),
       row_schedule_(world.duration(), scene_.output.history),
       frame_schedule_(world.duration(), scene_.output.frames) {
+  for (std::size_t k = 0; k < model.plies(); ++k)
+    if (has_friction(choose_flexure(model.of_ply(k).card, model.of_ply(k).scene.model))) {
+      recorder_.record_bending_friction();
+      break;
+    }
   if (scene_.frame)
     recorder_.evaluate_frame({scene_.frame->length, scene_.blank.size[0]}, static_cast<int>(grips_.grips().size()) - 1);
   if (!scene_.tools.empty()) recorder_.record_tools(scene_.tools);

@@ -51,6 +51,11 @@ Recorder::Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, do
   window_.impulse.assign(grip_count_, 0.0);
 }
 
+void Recorder::record_bending_friction() {
+  friction_column_ = history_.column.size();
+  history_.column.emplace_back("bending_friction_work_mJ");
+}
+
 void Recorder::evaluate_frame(const ShearFrame& frame, int pulled) {
   frame_ = frame;
   pulled_ = pulled;
@@ -125,6 +130,7 @@ void Recorder::add_row(double time, const std::vector<double>& displacement, con
   row.insert(row.end(), {balance.kinetic, balance.internal, balance.external, balance.damping, balance.bending,
                          balance.hourglass, balance.error()});
   row.resize(history_.column.size(), 0.0);
+  if (friction_column_) row[*friction_column_] = balance.bending_friction;
   for (int t = 0; t < tool_count_; ++t) row[tool_column_ + tool_width * t] = tools[t].displacement;
   add_plies(fields, pairs, row);
   history_.row.push_back(std::move(row));

@@ -22,6 +22,9 @@ class Recorder {
 public:
   Recorder(const std::vector<Grip>& grips, std::vector<Probe> probes, double duration, int rows);
 
+  // With friction in bending, each row also has what it lost so far, bending_friction_work_mJ.
+  void record_bending_friction();
+
   // With a shear frame, each row also says the frame's angle (Eq. 12) and the normalised shear force (Eq. 13) that the
   // test's evaluation gives from the travel and load of grip number `pulled`.
   void evaluate_frame(const ShearFrame& frame, int pulled);
@@ -64,6 +67,7 @@ private:
   std::optional<ShearFrame> frame_;
   int pulled_ = 0;
   int frame_column_ = 0;
+  std::optional<std::size_t> friction_column_;
   History history_;
   Window window_;
   std::vector<int> first_cell_;            // of each ply of a stack, and the number of cells

@@ -115,6 +115,7 @@ SolveStatistics Analysis::statistics() {
   s.energy_error = verdict_.worst_error();
   s.kinetic_to_internal = verdict_.worst_ratio();
   s.damping_work_mJ = world_.balance().damping;
+  s.bending_friction_work_mJ = world_.balance().bending_friction;
   s.bending_energy_mJ = world_.balance().bending;
   s.hourglass_energy_mJ = world_.balance().hourglass;
   s.rotary_inertia_scale = rotary_inertia_scale(world_, s.rotary_inertia_scale);

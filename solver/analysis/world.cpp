@@ -216,6 +216,7 @@ void World::close_balance() {
   balance_.kinetic = parts_ * sum.kinetic;
   balance_.damping = parts_ * sum.lost;
   balance_.external = parts_ * sum.put_in;
+  balance_.bending_friction = parts_ * sum.bending_friction;
 }
 
 void World::look_at_stored_energy() {

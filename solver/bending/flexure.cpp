@@ -1,5 +1,7 @@
 #include "solver/bending/flexure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -106,6 +108,10 @@ void choose_friction(const Card& card, const ModelSpec& model, Flexure& flexure)
   }
 }
 
+bool any_friction(const std::array<BendingFriction, 2>& friction) {
+  return friction[0].moment > 0.0 || friction[1].moment > 0.0;
+}
+
 }  // namespace
 
 Flexure choose_flexure(const Card& card, const ModelSpec& model) {
@@ -120,6 +126,19 @@ Flexure choose_flexure(const Card& card, const ModelSpec& model) {
   for (int f = 0; f < 2; ++f)
     flexure.bends_yarns |= !flexure.in_plane[f].pieces().empty() || !flexure.out_of_plane[f].pieces().empty();
   return flexure;
+}
+
+bool has_friction(const Flexure& flexure) {
+  return any_friction(flexure.friction_in_plane) || any_friction(flexure.friction_out_of_plane) ||
+         any_friction(flexure.friction_shell);
+}
+
+void refuse_friction_in_impulses(const Flexure& flexure, int every) {
+  if (every <= 1 || !(any_friction(flexure.friction_in_plane) || any_friction(flexure.friction_out_of_plane))) return;
+  throw InputError(
+      fmt::format("analysis.bending_every = {}: impulses keep the energy of elastic bending, not the work of friction "
+                  "(bending_friction); set analysis.bending_every = 1, or model.bending_friction = [0, 1] for none",
+                  every));
 }
 
 }  // namespace weaveform

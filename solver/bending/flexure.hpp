@@ -27,4 +27,11 @@ struct Flexure {
 // bending stiffness along its yarns: its rotations would be free to alternate.
 [[nodiscard]] Flexure choose_flexure(const Card& card, const ModelSpec& model);
 
+// Whether anything that bends has friction.
+[[nodiscard]] bool has_friction(const Flexure& flexure);
+
+// Throws InputError for friction of beams or rotation-free cells that act at every `every`-th step only
+// (analysis.bending_every).
+void refuse_friction_in_impulses(const Flexure& flexure, int every);
+
 }  // namespace weaveform

@@ -1,6 +1,5 @@
 #include "solver/bending/lattice_bending.hpp"
 
-#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -175,12 +174,8 @@ struct LatticeBending::Parts {
     if (flexure.rotation_free && flexure.twist > 0.0) twist_cells = find_twist_cells(mesh);
     place_bends();
     place_twist();
+    refuse_friction_in_impulses(flexure, every);
     const FrictionLaws laws = friction_laws(flexure);
-    if (laws.any() && every > 1)
-      throw InputError(fmt::format(
-          "analysis.bending_every = {}: impulses keep the energy of elastic bending, not the work of friction "
-          "(bending_friction); set analysis.bending_every = 1, or model.bending_friction = [0, 1] for none",
-          every));
     if (laws.any())
       friction = std::make_unique<FrictionOfBends>(laws, packed.lattice_nodes(), packed.rows, loose.size());
     for (int t = 0; t < team.threads(); ++t) ring.emplace_back(packed.stride);
@@ -387,7 +382,8 @@ StoredEnergy LatticeBending::stored_energy() const {
 }
 
 EnergyFlow LatticeBending::energy_flow() const {
-  return {.lost = parts_->friction ? parts_->friction->lost_so_far() : 0.0};
+  const double friction = parts_->friction ? parts_->friction->lost_so_far() : 0.0;
+  return {.lost = friction, .bending_friction = friction};
 }
 
 void LatticeBending::archive(Archive& archive) {

@@ -495,7 +495,8 @@ StoredEnergy Shell::stored_energy() const {
 }
 
 EnergyFlow Shell::energy_flow() const {
-  return {.kinetic = parts_->kinetic, .lost = parts_->damping_work + parts_->friction_lost()};
+  const double friction = parts_->friction_lost();
+  return {.kinetic = parts_->kinetic, .lost = parts_->damping_work + friction, .bending_friction = friction};
 }
 
 double Shell::inertia_scale() const {

@@ -17,7 +17,7 @@ namespace weaveform {
 // Columns in order, first "time_s"; then NAME.displacement_mm and NAME.force_N per grip,
 // NAME.shear_angle_deg, NAME.shear_angle_sd_deg, NAME.shear_angle_min_deg, NAME.shear_angle_max_deg per measure, then
 // energies kinetic_energy_mJ, internal_energy_mJ, external_work_mJ, damping_work_mJ, bending_energy_mJ,
-// hourglass_energy_mJ, energy_error; frame.shear_angle_deg and frame.normalised_shear_force_N_per_mm of a shear frame;
+// hourglass_energy_mJ, energy_error; bending_friction_work_mJ (part of damping_work_mJ) with friction in bending; frame.shear_angle_deg and frame.normalised_shear_force_N_per_mm of a shear frame;
 // last NAME.displacement_mm, NAME.force_N, NAME.contact_area_mm2, NAME.force_x_N, NAME.force_y_N, NAME.force_z_N per
 // tool. Forces are those on the fabric: force_N along the motion, of what is at rest along its direction or axis.
 struct History {
@@ -62,10 +62,11 @@ struct SolveStatistics {
   double energy_error = 0.0;         // greatest |internal + kinetic + damping - external| / greatest energy
   double kinetic_to_internal = 0.0;  // greatest ratio after the first tenth of the travel
   double damping_work_mJ = 0.0;
-  double bending_energy_mJ = 0.0;     // stored at the end; part of the internal energy
-  double hourglass_energy_mJ = 0.0;   // part of it that one point per cell would not see (shell)
-  double rotary_inertia_scale = 1.0;  // greatest factor on a node's rotary inertia (shell)
-  double max_shear_angle_deg = 0.0;   // greatest |shear angle| in the last frame
+  double bending_friction_work_mJ = 0.0;  // part of damping_work_mJ
+  double bending_energy_mJ = 0.0;         // stored at the end; part of the internal energy
+  double hourglass_energy_mJ = 0.0;       // part of it that one point per cell would not see (shell)
+  double rotary_inertia_scale = 1.0;      // greatest factor on a node's rotary inertia (shell)
+  double max_shear_angle_deg = 0.0;       // greatest |shear angle| in the last frame
   double max_yarn_strain = 0.0;
   int folded_cells = 0;  // greatest number at any history row
   int folded_cells_at_end = 0;

@@ -40,8 +40,15 @@ void take(const nlohmann::json& value, Count& field) {
 }
 
 // Statistics that earlier versions, which wrote the file of a finished run only, did not have.
-constexpr std::array<std::string_view, 8> added_later = {
-    "finished", "time_s", "program", "scene", "scene_digest", "card_digest", "mesh_digest", "checkpoint_wall_s"};
+constexpr std::array<std::string_view, 9> added_later = {"finished",
+                                                         "time_s",
+                                                         "program",
+                                                         "scene",
+                                                         "scene_digest",
+                                                         "card_digest",
+                                                         "mesh_digest",
+                                                         "checkpoint_wall_s",
+                                                         "bending_friction_work_mJ"};
 
 }  // namespace
 

@@ -31,6 +31,7 @@ void for_each_statistic(Statistics& s, Visit visit) {
   visit("energy_error", s.energy_error);
   visit("kinetic_to_internal", s.kinetic_to_internal);
   visit("damping_work_mJ", s.damping_work_mJ);
+  visit("bending_friction_work_mJ", s.bending_friction_work_mJ);
   visit("bending_energy_mJ", s.bending_energy_mJ);
   visit("hourglass_energy_mJ", s.hourglass_energy_mJ);
   visit("rotary_inertia_scale", s.rotary_inertia_scale);

@@ -21,14 +21,16 @@ struct StoredEnergy {
 
 // mJ; asked for at every step.
 struct EnergyFlow {
-  double kinetic = 0.0;  // that is not the nodes' own (rotations, guided tools)
-  double lost = 0.0;     // so far: friction, damping
-  double put_in = 0.0;   // so far, from outside: moving tools, binder force, weight
+  double kinetic = 0.0;           // that is not the nodes' own (rotations, guided tools)
+  double lost = 0.0;              // so far: friction, damping
+  double put_in = 0.0;            // so far, from outside: moving tools, binder force, weight
+  double bending_friction = 0.0;  // part of `lost`
 
   void add(const EnergyFlow& more) {
     kinetic += more.kinetic;
     lost += more.lost;
     put_in += more.put_in;
+    bending_friction += more.bending_friction;
   }
 };
 

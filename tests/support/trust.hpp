@@ -19,6 +19,7 @@ inline std::vector<std::string> warnings_of(const Solved& run) {
   const std::vector<Tool> tools = make_tools(run.scene, run.mesh);
   summary.forming = evaluate_forming(run.scene, run.mesh, tools, end, run.result.history);
   summary.folds = find_folds(run.scene, run.mesh, end.position);
+  summary.waves = summary.forming ? summary.forming->waves : evaluate_waves(run.scene.model, run.mesh, end, nullptr);
   return warnings({run.scene, run.card, run.mesh, tools, run.extent(), end, run.result.history, summary});
 }
 

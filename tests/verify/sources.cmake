@@ -30,8 +30,10 @@ set(VERIFY_SOURCES
   verify/single_precision_test.cpp
   verify/step_bound_test.cpp
   verify/bending_closed_forms_test.cpp
+  verify/bending_friction_history_test.cpp
   verify/stability_compression_test.cpp
   verify/stability_formulation_test.cpp
   verify/stability_step_factor_test.cpp
+  verify/wrinkle_wavelength_test.cpp
   verify/zone_border_test.cpp
 )

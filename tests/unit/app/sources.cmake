@@ -5,4 +5,5 @@ set(UNIT_APP_SOURCES
   unit/app/study/study_file_test.cpp
   unit/app/study/study_report_test.cpp
   unit/app/study/work_precision_test.cpp
+  unit/app/study/wrinkle_report_test.cpp
 )

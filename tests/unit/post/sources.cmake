@@ -7,6 +7,7 @@ set(UNIT_POST_SOURCES
   unit/post/dic/dic_readers_test.cpp
   unit/post/dic/dic_settings_form_test.cpp
   unit/post/forming/forming_test.cpp
+  unit/post/forming/waves_test.cpp
   unit/post/forming/wrinkles_test.cpp
   unit/post/measure/bias_extension_test.cpp
   unit/post/measure/folds_test.cpp
@@ -18,5 +19,6 @@ set(UNIT_POST_SOURCES
   unit/post/transfer/layers_test.cpp
   unit/post/transfer/transfer_test.cpp
   unit/post/trust/advice_keys_test.cpp
+  unit/post/trust/expected_waves_test.cpp
   unit/post/trust/trust_tools_test.cpp
 )
