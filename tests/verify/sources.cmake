@@ -8,6 +8,7 @@ set(VERIFY_SOURCES
   verify/fit_paper_tables_test.cpp
   verify/measured_strip_test.cpp
   verify/fit_traps_test.cpp
+  verify/simulated_fit_test.cpp
   verify/bias_extension_mesh_test.cpp
   verify/bias_extension_test.cpp
   verify/shear_frame_test.cpp
