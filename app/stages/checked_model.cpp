@@ -4,6 +4,7 @@
 
 #include "app/stages/room.hpp"
 #include "solver/bending/flexure.hpp"
+#include "solver/coupling/coupled_lattice.hpp"
 #include "solver/solve.hpp"
 
 namespace weaveform {
@@ -12,7 +13,11 @@ Resolved checked_model(const std::filesystem::path& scene_file, const std::vecto
                        Look look, ResolveTo to) {
   Findings found(look == Look::for_first_complaint ? Findings::Want::first : Findings::Want::all);
   const ResolveChecks checks{
-      .of_card = [](const Scene& scene, const Card& card) { (void)choose_flexure(card, scene.model); },
+      .of_card =
+          [](const Scene& scene, const Card& card) {
+            require_coupling(card, scene.model);
+            (void)choose_flexure(card, scene.model);
+          },
       .of_size = [yes, bytes = std::make_shared<double>(0.0)](
                      const Scene& scene, const Card& card,
                      const BlankOutline& outline) { *bytes = require_memory(scene, card, outline, yes, *bytes); }};

@@ -98,9 +98,10 @@ YarnFile yarn_file(const Identification& found, std::size_t f) {
 std::string shear_text(const Identification& found) {
   const ShearCard& kept = found.spec.base.shear;
   const ShearFit* fit = found.shear();
-  const ShearFile shear =
-      fit != nullptr ? fitted_shear(*fit) : ShearFile{kept.tangent.pieces(), kept.start, kept.valid_to_deg};
-  return "\n[shear]\n" + write_keys(shear_keys(), shear);
+  ShearFile shear = fit != nullptr ? fitted_shear(*fit)
+                                   : ShearFile{kept.tangent.pieces(), kept.start, kept.valid_to_deg, std::nullopt};
+  if (kept.tension_coupling > 0.0) shear.tension_coupling = kept.tension_coupling;
+  return "\n[shear]\n" + write_keys(shear_keys(), shear, Echo::given);
 }
 
 void put_curve(const BendingFit& fit, bool with_friction, YarnFile& yarn) {

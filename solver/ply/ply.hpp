@@ -20,6 +20,7 @@
 #include "solver/constraint/holds.hpp"
 #include "solver/constraint/mirror_planes.hpp"
 #include "solver/constraint/ties.hpp"
+#include "solver/coupling/tension_shear.hpp"
 #include "solver/lattice/forces.hpp"
 #include "solver/ply/critical_step.hpp"
 #include "solver/ply/energy.hpp"
@@ -76,7 +77,7 @@ public:
   // `viscous_time` (s): beta of yarn.hpp; `step` (s): the one to be taken. Again after an archive was read.
   void set_step(double viscous_time, double step);
   // Whether yarns have come, or come within the next steps, to strains beyond what the step allows, or cells to a shear.
-  [[nodiscard]] bool passes_reach() { return reach_.passed_by(forces_.strains(), forces_.sharpest()); }
+  [[nodiscard]] bool passes_reach();
 
   // Forces of everything that acts, given on by what follows others, at state().position and time: its own, and then
   // what else the caller adds in between.
@@ -134,8 +135,9 @@ private:
   Reach reach_;
   YarnLimits yarn_limits_;
   std::vector<std::unique_ptr<Actor>> actors_;
-  const Shell* shell_ = nullptr;  // one of them
-  double fabric_step_ = 0.0;      // s
+  const Shell* shell_ = nullptr;            // one of them
+  const TensionShear* coupling_ = nullptr;  // likewise
+  double fabric_step_ = 0.0;                // s
 
   std::array<double, 2> yarn_modulus_ = {0.0, 0.0};  // MPa; that the step is stable with, of each family
   double kinetic_ = 0.0, damping_work_ = 0.0;        // mJ

@@ -22,6 +22,7 @@ set(VERIFY_SOURCES
   verify/sheared_thickness_test.cpp
   verify/stack_cases_test.cpp
   verify/stack_test.cpp
+  verify/tension_shear_test.cpp
   verify/stability_binder_test.cpp
   verify/stability_friction_test.cpp
   verify/stability_loading_speed_test.cpp
