@@ -158,7 +158,8 @@ public:
     } else {
       half = half_band_of_one(trial);
     }
-    return {std::exp(middle), {std::exp(middle - half), std::exp(middle + half)}};
+    return {std::exp(middle),
+            {std::max(crimp_factors[0], std::exp(middle - half)), std::min(crimp_factors[1], std::exp(middle + half))}};
   }
 
   [[nodiscard]] const std::vector<SimulatedTest>& tests() const { return tests_; }
