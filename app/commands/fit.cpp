@@ -10,6 +10,7 @@
 #include "app/commands/commands.hpp"
 #include "app/console.hpp"
 #include "app/stages/output_folder.hpp"
+#include "app/stages/specimen_trials.hpp"
 #include "core/chart/chart.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
@@ -69,7 +70,14 @@ void fit(const FitArguments& arguments) {
                                                                    : std::filesystem::path(arguments.output);
   const auto spec = identify::read_fit(file);
   const std::string replaced = replaced_card(directory);
-  const auto found = identify::identify(spec, replaced, (directory / "card.toml").string());
+  SpecimenTrials trials(spec);
+  const identify::Simulation simulation{
+      .run = [&](const auto& test, const auto& fabric, auto mesh) { return trials.run(test, fabric, mesh); },
+      .tell =
+          [&](const std::string& line) {
+            if (!arguments.quiet) log_line(line);
+          }};
+  const auto found = identify::identify(spec, replaced, (directory / "card.toml").string(), simulation);
   for (const auto& warning : found.warnings) log_warning(warning);
   if (!arguments.quiet) say_notes(found);
   const auto outputs = identify::output_files(found);

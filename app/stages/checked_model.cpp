@@ -4,6 +4,7 @@
 
 #include "app/stages/room.hpp"
 #include "solver/bending/flexure.hpp"
+#include "solver/coupling/coupled_lattice.hpp"
 #include "solver/solve.hpp"
 
 namespace weaveform {
@@ -14,6 +15,7 @@ Resolved checked_model(const std::filesystem::path& scene_file, const std::vecto
   const ResolveChecks checks{
       .of_card =
           [](const Scene& scene, const Card& card) {
+            require_coupling(card, scene.model);
             refuse_friction_in_impulses(choose_flexure(card, scene.model), scene.analysis.bending_every);
           },
       .of_size = [yes, bytes = std::make_shared<double>(0.0)](

@@ -71,10 +71,12 @@ compare() {
 }
 
 mkdir -p "$output"
-for name in plain_frame_UML plain_frame_HKUST plain_frames plain_bias_INSA-NU plain_bias_NU-New twill_frame_UML twill_bias_INSA-NU; do
+for name in plain_frame_UML plain_frame_HKUST plain_frames plain_bias_INSA-NU plain_bias_NU-New twill_frame_UML twill_bias_INSA-NU \
+  plain_bias_INSA-NU_simulated plain_bias_NU-New_simulated twill_bias_INSA-NU_simulated; do
   fit "$name"
 done
-for name in plain_frame_UML plain_frame_HKUST plain_frames plain_bias_INSA-NU plain_bias_NU-New; do
+for name in plain_frame_UML plain_frame_HKUST plain_frames plain_bias_INSA-NU plain_bias_NU-New plain_bias_INSA-NU_simulated \
+  plain_bias_NU-New_simulated; do
   predict bias_plain "$name" "$output/cards/$name/card.toml"
 done
 # The law from a bias extension takes yarns as inextensible; a yarn that decrimps eases the model (README.md).
@@ -82,7 +84,7 @@ for name in plain_bias_INSA-NU plain_bias_NU-New; do
   predict bias_plain "${name}_linear" "$output/cards/$name/card.toml" --set model.yarn_law=linear
 done
 predict bias_plain paper twintex-pw
-for name in twill_frame_UML twill_bias_INSA-NU; do
+for name in twill_frame_UML twill_bias_INSA-NU twill_bias_INSA-NU_simulated; do
   predict bias_twill "$name" "$output/cards/$name/card.toml"
 done
 predict bias_twill twill_bias_INSA-NU_linear "$output/cards/twill_bias_INSA-NU/card.toml" --set model.yarn_law=linear
@@ -94,12 +96,12 @@ measured balanced-twill_bias_150x300_INSA-NU twill_INSA-NU
 case $program in */*) program=$(cd "$(dirname "$program")" && pwd)/$(basename "$program") ;; esac
 cd "$output"
 plain_files="measured_plain_INSA-NU.txt measured_plain_NU-New.txt"
-for name in bias_INSA-NU bias_INSA-NU_linear bias_NU-New bias_NU-New_linear frame_UML frame_HKUST frames; do
+for name in bias_INSA-NU bias_INSA-NU_linear bias_INSA-NU_simulated bias_NU-New bias_NU-New_linear bias_NU-New_simulated frame_UML frame_HKUST frames; do
   plain_files="$plain_files loads_bias_plain_plain_$name.txt"
 done
 plain_files="$plain_files loads_bias_plain_paper.txt"
 twill_files=measured_twill_INSA-NU.txt
-for name in twill_bias_INSA-NU twill_bias_INSA-NU_linear twill_frame_UML paper; do
+for name in twill_bias_INSA-NU twill_bias_INSA-NU_linear twill_bias_INSA-NU_simulated twill_frame_UML paper; do
   twill_files="$twill_files loads_bias_twill_$name.txt"
 done
 # No name has a blank, so the lists may be split.

@@ -213,7 +213,7 @@ void read_shear(const toml::table& root, Card& card, Complaints& complaints) {
   read_keys(*table, "[shear]", shear_keys(), file, complaints);
   require_keys(*table, "[shear]", shear_keys(), complaints);
   if (file.tangent.empty()) return;
-  card.shear = {TangentLaw(file.tangent), file.start, file.valid_to};
+  card.shear = {TangentLaw(file.tangent), file.start, file.valid_to, file.tension_coupling.value_or(0.0)};
   check_shear(card.shear, file.tangent, *table->get("tangent"), complaints);
 }
 
@@ -282,8 +282,9 @@ std::string card_to_toml(const Card& card) {
   for (std::size_t f = 0; f < yarn_families.size(); ++f) {
     text += "\n[yarn." + yarn_families[f] + "]\n" + write_keys(yarn_keys(), file_of(card.yarn[f]), Echo::given);
   }
-  const ShearFile shear{card.shear.tangent.pieces(), card.shear.start, card.shear.valid_to_deg};
-  text += "\n[shear]\n" + write_keys(shear_keys(), shear);
+  ShearFile shear{card.shear.tangent.pieces(), card.shear.start, card.shear.valid_to_deg, std::nullopt};
+  if (card.shear.tension_coupling > 0.0) shear.tension_coupling = card.shear.tension_coupling;
+  text += "\n[shear]\n" + write_keys(shear_keys(), shear, Echo::given);
   if (card.bending == BendingCard{}) return text;
   return text + "\n[bending]\n" + write_keys(bending_keys(), card.bending, Echo::given);
 }

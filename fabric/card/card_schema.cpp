@@ -243,6 +243,14 @@ const std::vector<Key<ShearFile>>& shear_keys() {
                                  .limits = above(0, 89),
                                  .doc = "shear angle up to which the law is meant to hold; its tangent must not turn "
                                         "negative below"}),
+      key<&ShearFile::tension_coupling>(
+          {.name = "tension_coupling",
+           .unit = "mm/N",
+           .limits = between(0, 100),
+           .doc =
+               "a in stress (1 + a T): by how much of itself the shear stress grows with each N/mm of tension T, per "
+               "width and the mean of warp and weft. It has an energy, so that sheared fabric shortens its yarns by "
+               "a/2 thickness times the shear energy per volume (docs/theory.md). Auto: none"}),
   };
   return keys;
 }

@@ -38,6 +38,7 @@ struct ShearFile {
   std::vector<TangentPiece> tangent;           // MPa
   ShearStart start;                            // MPa, 1
   double valid_to = ShearCard{}.valid_to_deg;  // deg
+  std::optional<double> tension_coupling;      // mm/N
 };
 
 // BendingCard itself is the file's [bending].

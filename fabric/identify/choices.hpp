@@ -13,6 +13,13 @@ constexpr auto choices_of(ShearSource) {
                                              {ShearSource::bias_extension, "bias_extension"}});
 }
 
+// shear.method
+enum class ShearMethod { closed_form, simulation };
+constexpr auto choices_of(ShearMethod) {
+  return std::to_array<Choice<ShearMethod>>(
+      {{ShearMethod::closed_form, "closed_form"}, {ShearMethod::simulation, "simulation"}});
+}
+
 // shear.form
 enum class FormAsked { automatic, polynomial, polynomial_start };
 constexpr auto choices_of(FormAsked) {

@@ -296,6 +296,42 @@ void check_bending(const toml::table& root, const FitSpec& spec, Complaints& com
                      "'bending_out_of_plane' is given beside tests of bending, which make it; leave out one of them");
 }
 
+// Whether the tests that make the law can be simulated, and as the file asks.
+void check_simulation(const toml::table& root, const FitSpec& spec, Complaints& complaints) {
+  const toml::node* table = root.get("simulation");
+  if (spec.shear.method != ShearMethod::simulation) {
+    if (table != nullptr)
+      complaints.add(*table,
+                     "[simulation] does nothing unless [shear] says method = \"simulation\"; add it there, or "
+                     "leave the table out");
+    return;
+  }
+  const bool from_frame = spec.shear.from != ShearSource::bias_extension && !spec.shear_frame.empty();
+  if (spec.shear_frame.empty() && spec.bias_extension.empty())
+    complaints.add(root,
+                   "method = \"simulation\" of [shear] needs tests of shear; add [[shear_frame]] or "
+                   "[[bias_extension]]");
+  for (std::size_t i = 0; from_frame && i < spec.shear_frame.size(); ++i)
+    if (const TestSpec& test = spec.shear_frame[i]; !test.frame_length || !test.fabric_length)
+      complaints.add((*root.get_as<toml::array>("shear_frame"))[i],
+                     "a simulated [[shear_frame]] needs its 'frame_length' and 'fabric_length' (mm); add both");
+  if (table == nullptr) return;
+  for (const std::string& setting : spec.simulation.settings)
+    if (setting.rfind("model.", 0) != 0 && setting.rfind("analysis.", 0) != 0)
+      complaints.add(*table, fmt::format("'{}' of 'settings' is none of [model] or [analysis]; the specimen's size and "
+                                         "grips are those of its test, and cells have 'coarsening'",
+                                         setting));
+  if (!spec.simulation.decrimping) return;
+  if (from_frame)
+    complaints.add(*table,
+                   "'decrimping' cannot be told from a shear frame; give from = \"bias_extension\" in [shear], "
+                   "or leave it out");
+  for (std::size_t f = 0; f < yarn_families.size(); ++f)
+    if (!(spec.yarn[f].crimp > 0.0))
+      complaints.add(
+          *table, fmt::format("'decrimping' needs the 'crimp' (%) of the {} yarn; add it to [yarn]", yarn_families[f]));
+}
+
 }  // namespace
 
 double FitSpec::area_weight() const {
@@ -315,8 +351,8 @@ FitSpec read_fit_text(const std::string& text, const std::string& name) {
   FitSpec spec;
   spec.file = name;
   read_keys(root, "a fit file", fit_head_keys(), spec.head, complaints,
-            {"yarn", "shear", "bending", "tensile", "shear_frame", "bias_extension", "bending_law", "moment_curvature",
-             "cantilever", "peirce"});
+            {"yarn", "shear", "simulation", "bending", "tensile", "shear_frame", "bias_extension", "bending_law",
+             "moment_curvature", "cantilever", "peirce"});
   require_keys(root, "the fit file", fit_head_keys(), complaints);
   read_base(root, spec, complaints);
   read_yarns(root, spec, complaints);
@@ -324,6 +360,8 @@ FitSpec read_fit_text(const std::string& text, const std::string& name) {
     read_keys(*table, "[bending]", bending_keys(), spec.bending, complaints);
   if (const auto* table = table_at(root, "shear", "shear", complaints))
     read_keys(*table, "[shear]", shear_fit_keys(), spec.shear, complaints);
+  if (const auto* table = table_at(root, "simulation", "simulation", complaints))
+    read_keys(*table, "[simulation]", simulation_keys(), spec.simulation, complaints);
   if (const auto* table = table_at(root, "bending_law", "bending_law", complaints))
     read_keys(*table, "[bending_law]", bending_fit_keys(), spec.bending_law, complaints);
   spec.tensile = read_tests(root, "tensile", tensile_keys(), complaints);
@@ -340,6 +378,7 @@ FitSpec read_fit_text(const std::string& text, const std::string& name) {
   check_each(root, "peirce", spec.peirce, check_peirce, complaints);
   check_names(root, spec, complaints);
   check_bending(root, spec, complaints);
+  check_simulation(root, spec, complaints);
   check_sources(root, spec, complaints);
   complaints.throw_if_any();
   return spec;

@@ -261,6 +261,10 @@ const std::vector<Key<ShearFitSpec>>& shear_fit_keys() {
       key<&ShearFitSpec::from>({.name = "from",
                                 .doc = "the tests that make the card's law; the others are reported beside it; auto: "
                                        "the shear frame when there is one"}),
+      key<&ShearFitSpec::method>(
+          {.name = "method",
+           .doc = "closed_form: Eqs. 12 and 13, or the three zones; simulation: the law for which the simulated test "
+                  "gives the measured load, found from there on in rounds ([simulation])"}),
       key<&ShearFitSpec::form>({.name = "form",
                                 .doc = "stress through zero, with or without a friction-like start plateau g / (g + "
                                        "rise); auto: the one that describes the tests better"}),
@@ -282,6 +286,36 @@ const std::vector<Key<ShearFitSpec>>& shear_fit_keys() {
                                       .unit = "deg",
                                       .limits = between(0.05, 10),
                                       .doc = "of the common grid on which specimens are averaged and fitted"}),
+  };
+  return keys;
+}
+
+const std::vector<Key<SimulationSpec>>& simulation_keys() {
+  static const std::vector<Key<SimulationSpec>> keys = {
+      key<&SimulationSpec::coarsening>(
+          {.name = "coarsening",
+           .unit = "1",
+           .limits = between(0.1, 100),
+           .one_for_all = true,
+           .doc = "of the mesh whose loads are to be the measured ones; the rounds begin with cells of up to twice the "
+                  "size. "
+                  "Auto: the coarsest of 4, 2, 1, 1/2 and 1/4 with 200 cells or more, of a frame with 16"}),
+      key<&SimulationSpec::settings>(
+          {.name = "settings",
+           .doc = "of the simulated scenes, as for `--set`: keys of [model] and [analysis]. Without them a bias "
+                  "extension has the defaults, its yarns decrimp; a shear frame is rigid, its yarns linear and of ten "
+                  "times the modulus"}),
+      key<&SimulationSpec::tolerance>(
+          {.name = "tolerance",
+           .unit = "%",
+           .limits = between(0.01, 20),
+           .doc = "of the law's greatest stress, by which it may still change from one round to the next"}),
+      key<&SimulationSpec::rounds>(
+          {.name = "rounds", .unit = "1", .limits = between(1, 100), .doc = "at most, on each of the two meshes"}),
+      key<&SimulationSpec::decrimping>(
+          {.name = "decrimping",
+           .doc =
+               "true: a factor on the crimp that the yarns' decrimping law is made from, too; needs bias extensions"}),
   };
   return keys;
 }
@@ -316,10 +350,10 @@ std::vector<KeyInfo> fit_keys() {
   std::vector<KeyInfo> all;
   for (const auto& keys :
        {describe_keys("", fit_head_keys()), describe_keys("shear", shear_fit_keys()),
-        describe_keys("tensile", tensile_keys()), describe_keys("shear_frame", shear_frame_keys()),
-        describe_keys("bias_extension", bias_extension_keys()), describe_keys("bending_law", bending_fit_keys()),
-        describe_keys("moment_curvature", moment_curvature_keys()), describe_keys("cantilever", cantilever_keys()),
-        describe_keys("peirce", peirce_keys())})
+        describe_keys("simulation", simulation_keys()), describe_keys("tensile", tensile_keys()),
+        describe_keys("shear_frame", shear_frame_keys()), describe_keys("bias_extension", bias_extension_keys()),
+        describe_keys("bending_law", bending_fit_keys()), describe_keys("moment_curvature", moment_curvature_keys()),
+        describe_keys("cantilever", cantilever_keys()), describe_keys("peirce", peirce_keys())})
     all.insert(all.end(), keys.begin(), keys.end());
   return all;
 }
@@ -330,6 +364,8 @@ std::string fit_reference_markdown() {
   };
   return section("The fabric", "Before the first table of the file.", describe_keys("", fit_head_keys())) +
          section("`[shear]`", "How the shear law is made.", describe_keys("shear", shear_fit_keys())) +
+         section("`[simulation]`", "How the tests are simulated where `method` of `[shear]` is `\"simulation\"`.",
+                 describe_keys("simulation", simulation_keys())) +
          section("`[[tensile]]`", "Tensile tests of single yarns; as many tables as needed.",
                  describe_keys("tensile", tensile_keys())) +
          section("`[[shear_frame]]`", "Shear-frame (picture-frame) tests; as many tables as needed.",

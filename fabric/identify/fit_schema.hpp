@@ -10,6 +10,7 @@ namespace weaveform::identify {
 
 [[nodiscard]] const std::vector<Key<FitHead>>& fit_head_keys();
 [[nodiscard]] const std::vector<Key<ShearFitSpec>>& shear_fit_keys();
+[[nodiscard]] const std::vector<Key<SimulationSpec>>& simulation_keys();
 [[nodiscard]] const std::vector<Key<TestSpec>>& tensile_keys();
 [[nodiscard]] const std::vector<Key<TestSpec>>& shear_frame_keys();
 [[nodiscard]] const std::vector<Key<TestSpec>>& bias_extension_keys();

@@ -28,11 +28,22 @@ struct FitHead {
 struct ShearFitSpec {
   ShearSource from =
       ShearSource::automatic;  // which kind of test makes the card's law; auto: the frame if there is one
+  ShearMethod method = ShearMethod::closed_form;
   FormAsked form = FormAsked::automatic;
   int degree = 4;                               // of the stress polynomial
   std::optional<std::array<double, 2>> angles;  // deg; range of the frame tests that is fitted; none: what all reach
   std::array<double, 2> bias_angles = {0.0, 45.0};  // deg; the same of the bias extensions, kinematic angles
   double angle_step = 1.0;                          // deg; of the common grid
+};
+
+// [simulation]: how the tests of shear are simulated.
+struct SimulationSpec {
+  // 1; for warp and weft, of the mesh whose loads are to be the measured ones; none: chosen by its cells
+  std::optional<std::array<double, 2>> coarsening;
+  std::vector<std::string> settings;  // KEY=VALUE of [model] and [analysis] of the simulated scenes
+  double tolerance = 1.0;             // %; of the greatest stress, by which the law may still change
+  int rounds = 10;                    // at most, on each mesh
+  bool decrimping = false;            // the yarns' decrimping too
 };
 
 // [bending_law]: how the moment-curvature law is made from the tests of bending.
@@ -129,6 +140,7 @@ struct FitSpec {
   std::array<YarnFile, 2> yarn;  // base completed by the file's [yarn], [yarn.warp], [yarn.weft]
   BendingCard bending;           // base completed by the file's [bending]
   ShearFitSpec shear;
+  SimulationSpec simulation;
   BendingFitSpec bending_law;
   std::vector<TestSpec> tensile, shear_frame, bias_extension, moment_curvature, cantilever, peirce;
   [[nodiscard]] double confidence() const { return head.confidence / 100.0; }

@@ -148,7 +148,7 @@ Chart shear_chart(const ShearFit& fit, const std::string& title, double confiden
   // Stresses are measured in a frame only; a bias extension measures loads (load_chart).
   bool labelled = false;
   for (const auto& specimen : fit.specimens) {
-    if (specimen.grid.front().half != 0.0) continue;
+    if (specimen.grid.front().half != 0.0 || !specimen.grid.front().counted.empty()) continue;
     chart.series.push_back({.label = labelled ? "" : "tests",
                             .x = in_degrees(specimen.angle),
                             .y = specimen.value,

@@ -76,7 +76,7 @@ ShearFile fitted_shear(const ShearFit& fit) {
   shear.valid_to = std::floor(fit.greatest_angle() / degree * 1e3 + 1e-6) / 1e3;
   Polynomial tangent = derivative_of(curve.stress);
   for (auto& coefficient : tangent) coefficient = legible(coefficient);
-  shear.tangent = {{0.0, legible(log_shear_strain(fit.greatest_angle())), tangent}};
+  shear.tangent = {{0.0, legible(fit.end), tangent}};
   if (curve.start.plateau > 0.0) shear.start = {legible(curve.start.plateau), legible(curve.start.rise)};
   return shear;
 }
@@ -84,15 +84,24 @@ ShearFile fitted_shear(const ShearFit& fit) {
 YarnFile yarn_file(const Identification& found, std::size_t f) {
   const auto& fit = found.yarn[f];
   const YarnFile& before = found.spec.yarn[f];
-  return fit ? fitted_yarn(before, found.yarns[*fit]) : before;
+  YarnFile yarn = fit ? fitted_yarn(before, found.yarns[*fit]) : before;
+  if (!found.simulated || !found.simulated->decrimping) return yarn;
+  const YarnCard law = with_decrimping(found.card, found.simulated->decrimping->factor).yarn[f];
+  yarn.tension = law.tension.pieces();
+  for (auto& piece : yarn.tension)
+    for (auto& coefficient : piece.coefficient) coefficient = legible(coefficient);
+  yarn.valid_to = legible(std::min(greatest_claim, law.valid_to));
+  yarn.tearing_strain = legible(std::clamp(law.tearing_strain, *yarn.valid_to, greatest_claim));
+  return yarn;
 }
 
 std::string shear_text(const Identification& found) {
   const ShearCard& kept = found.spec.base.shear;
   const ShearFit* fit = found.shear();
-  const ShearFile shear =
-      fit != nullptr ? fitted_shear(*fit) : ShearFile{kept.tangent.pieces(), kept.start, kept.valid_to_deg};
-  return "\n[shear]\n" + write_keys(shear_keys(), shear);
+  ShearFile shear = fit != nullptr ? fitted_shear(*fit)
+                                   : ShearFile{kept.tangent.pieces(), kept.start, kept.valid_to_deg, std::nullopt};
+  if (kept.tension_coupling > 0.0) shear.tension_coupling = kept.tension_coupling;
+  return "\n[shear]\n" + write_keys(shear_keys(), shear, Echo::given);
 }
 
 void put_curve(const BendingFit& fit, bool with_friction, YarnFile& yarn) {
@@ -208,6 +217,11 @@ void state_assumptions(Identification& found) {
   if (found.shear() != nullptr)
     assume(fmt::format("the shear law is fitted to {:.1f} deg; beyond, its tangent keeps its value there",
                        found.shear()->greatest_angle() / degree));
+  if (found.simulated)
+    assume(
+        "simulated tests: yarns are pinned at their crossings, and their tension is the card's; what else a "
+        "measured load holds (slip, friction of yarns under tension) is taken for shear. The law is that of the mesh "
+        "it was found on");
   if (found.frame) assume("shear frame: the angle is uniform and equal to the frame's (Eq. 12)");
   if (found.bias)
     assume(
@@ -251,6 +265,19 @@ void compare_with_base(Identification& found) {
   }
 }
 
+// The closed form's card is what the rounds begin with.
+void simulate(Identification& found, const Simulation& simulation) {
+  if (!simulation.run)
+    throw InputError(
+        fmt::format("{}: method = \"simulation\" of [shear] needs somebody to run the simulations, as "
+                    "'weaveform fit' does",
+                    found.spec.file));
+  make_card(found, "", "card.toml");
+  found.simulated = fit_simulated(*found.closed_form(), found.spec, found.card, simulation);
+  for (const auto& warning : found.simulated->warnings)
+    found.warnings.push_back(fmt::format("simulation: {}", warning));
+}
+
 }  // namespace
 
 bool Identification::shear_from_frame() const {
@@ -258,11 +285,16 @@ bool Identification::shear_from_frame() const {
 }
 
 const ShearFit* Identification::shear() const {
+  return simulated ? &simulated->fit : closed_form();
+}
+
+const ShearFit* Identification::closed_form() const {
   if (shear_from_frame()) return &*frame;
   return bias ? &*bias : nullptr;
 }
 
-Identification identify(const FitSpec& spec, const std::string& replaced, const std::string& file) {
+Identification identify(const FitSpec& spec, const std::string& replaced, const std::string& file,
+                        const Simulation& simulation) {
   Identification found;
   found.spec = spec;
   fit_yarns(found);
@@ -278,6 +310,7 @@ Identification identify(const FitSpec& spec, const std::string& replaced, const 
   for (std::size_t f = 0; f < yarn_families.size(); ++f) found.bending[f] = bending_of(found.bends, spec, f);
   for (const auto& fit : found.bends)
     for (const auto& warning : fit.warnings) found.warnings.push_back(fmt::format("{}: {}", fit.name(), warning));
+  if (spec.shear.method == ShearMethod::simulation) simulate(found, simulation);
   make_card(found, replaced, file);
   compare_with_base(found);
   state_assumptions(found);

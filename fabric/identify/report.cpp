@@ -48,9 +48,10 @@ std::string shear_rows(const Identification& found) {
   const ShearFit* fit = found.shear();
   if (fit == nullptr) return "| shear law | kept | | |\n";
   const ShearCurve& curve = fit->chosen().pooled.curve;
-  std::string text = fmt::format("| shear: tests | {} | | specimens: {}, to {:.1f} deg |\n",
-                                 found.shear_from_frame() ? "shear frame" : "bias extension", fit->specimens.size(),
-                                 fit->greatest_angle() / degree);
+  std::string text =
+      fmt::format("| shear: tests | {}{} | | specimens: {}, to {:.1f} deg |\n",
+                  found.shear_from_frame() ? "shear frame" : "bias extension", found.simulated ? ", simulated" : "",
+                  fit->specimens.size(), fit->greatest_angle() / degree);
   for (std::size_t n = 1; n < curve.stress.size(); ++n)
     text += fmt::format("| shear stress: coefficient of g^{} | {:.6g} MPa | | |\n", n, curve.stress[n]);
   if (fit->start_chosen)
@@ -60,7 +61,7 @@ std::string shear_rows(const Identification& found) {
     for (const auto& at : fit->law) {
       if (std::abs(at.angle / degree - angle) > 1e-6) continue;
       const std::string deviation =
-          fit->specimens.size() < 2
+          fit->specimens.size() < 2 || found.simulated
               ? ""
               : fmt::format("deviation {:.2g} {}", at.deviation, found.shear_from_frame() ? "MPa" : "N of load");
       text += fmt::format("| shear stress at {} deg | {:.4g} MPa | {:.4g} to {:.4g} | {} |\n", angle, at.stress,
@@ -158,13 +159,19 @@ std::string both_sources(const Identification& found) {
   return text;
 }
 
+std::string simulated_unit(const Identification& found) {
+  return found.shear_from_frame() ? "MPa" : "N";
+}
+
 std::string report_markdown(const Identification& found) {
   std::string text = fmt::format("# Fit of {}\n\n", found.spec.head.name) + summary_markdown(found);
   if (!found.warnings.empty()) text += "\n## Warnings\n\n" + bullet_list(found.warnings);
   text += "\n## Assumed, not measured\n\n" + bullet_list(found.assumptions);
   for (const auto& fit : found.yarns) text += yarn_section(fit);
-  if (found.frame) text += shear_section(*found.frame, "Shear frame", "MPa", found.shear_from_frame());
-  if (found.bias) text += shear_section(*found.bias, "Bias extension", "N", !found.shear_from_frame());
+  if (found.simulated) text += simulation_section(*found.simulated, simulated_unit(found));
+  const bool closed = !found.simulated;
+  if (found.frame) text += shear_section(*found.frame, "Shear frame", "MPa", closed && found.shear_from_frame());
+  if (found.bias) text += shear_section(*found.bias, "Bias extension", "N", closed && !found.shear_from_frame());
   text += both_sources(found);
   for (std::size_t k = 0; k < found.bends.size(); ++k)
     text += bending_section(found.bends[k], found.spec, found.bending[0] == k || found.bending[1] == k);
@@ -274,6 +281,10 @@ Json fit_json(const Identification& found) {
   if (found.shear() != nullptr) json["shear_from"] = found.shear_from_frame() ? "shear_frame" : "bias_extension";
   if (found.frame) json["shear_frame"] = shear_json(*found.frame, "MPa");
   if (found.bias) json["bias_extension"] = shear_json(*found.bias, "N");
+  if (found.simulated) {
+    json["simulation"] = simulation_json(*found.simulated);
+    json["simulation"]["fit"] = shear_json(found.simulated->fit, simulated_unit(found));
+  }
   for (std::size_t k = 0; k < found.bends.size(); ++k)
     json["bending"].push_back(bending_json(found.bends[k], found.bending[0] == k || found.bending[1] == k));
   return json;
@@ -303,6 +314,14 @@ std::vector<OutputFile> output_files(const Identification& found) {
     files.push_back(
         {.name = "bias_extension.svg", .chart = shear_chart(*found.bias, "shear law from bias extension", confidence)});
     files.push_back({.name = "bias_extension_load.svg", .chart = load_chart(*found.bias)});
+  }
+  if (found.simulated) {
+    const std::string unit = simulated_unit(found);
+    files.push_back({.name = "simulated_law.csv", .text = simulated_law_csv(found.simulated->fit)});
+    files.push_back({.name = "simulated_law.svg",
+                     .chart = shear_chart(found.simulated->fit, "shear law through simulation", confidence)});
+    files.push_back({.name = "simulated_load.csv", .text = simulated_load_csv(*found.simulated, unit)});
+    files.push_back({.name = "simulated_load.svg", .chart = simulated_load_chart(*found.simulated, unit)});
   }
   for (const auto& fit : found.bends) {
     files.push_back({.name = fit.name() + ".csv", .text = bending_csv(fit)});

@@ -37,9 +37,18 @@ RowVectorXd tangent_row(const ShearForm& form, double rise, double g) {
   return row;
 }
 
+// Calls use(strain, weight) for every stress that counts in the observation.
+template <class Use>
+void for_each_stress(const ShearObservation& seen, Use use) {
+  for (const StressWeight& at : seen.counted) use(at.strain, at.weight);
+  if (!seen.counted.empty()) return;
+  use(log_shear_strain(seen.angle), seen.full);
+  if (seen.half != 0.0) use(log_shear_strain(0.5 * seen.angle), seen.half);
+}
+
 RowVectorXd observation_row(const ShearForm& form, double rise, const ShearObservation& seen) {
-  RowVectorXd row = seen.full * stress_row(form, rise, log_shear_strain(seen.angle));
-  if (seen.half != 0.0) row += seen.half * stress_row(form, rise, log_shear_strain(0.5 * seen.angle));
+  RowVectorXd row = RowVectorXd::Zero(form.degree + (form.start ? 1 : 0));
+  for_each_stress(seen, [&](double strain, double weight) { row += weight * stress_row(form, rise, strain); });
   return row;
 }
 
@@ -63,8 +72,8 @@ Problem problem_of(const std::vector<ShearObservation>& observations, const Shea
   Problem problem{MatrixXd(rows, form.degree + (form.start ? 1 : 0)), VectorXd(rows), 0.0};
   for (Index i = 0; i < rows; ++i) {
     problem.A.row(i) = observation_row(form, rise, observations[i]);
-    problem.b[i] = observations[i].value;
-    problem.end = std::max(problem.end, log_shear_strain(observations[i].angle));
+    problem.b[i] = observations[i].value - observations[i].shift;
+    problem.end = std::max(problem.end, greatest_strain(observations[i]));
   }
   return problem;
 }
@@ -150,9 +159,17 @@ double tangent_of(const ShearCurve& curve, double strain) {
 }
 
 double predicted(const ShearCurve& curve, const ShearObservation& seen) {
-  double value = seen.full * stress_of(curve, log_shear_strain(seen.angle));
-  if (seen.half != 0.0) value += seen.half * stress_of(curve, log_shear_strain(0.5 * seen.angle));
+  double value = seen.shift;
+  for_each_stress(seen, [&](double strain, double weight) { value += weight * stress_of(curve, strain); });
   return value;
+}
+
+double greatest_strain(const ShearObservation& seen) {
+  double greatest = 0.0;
+  for_each_stress(seen, [&](double strain, double weight) {
+    if (weight != 0.0) greatest = std::max(greatest, strain);
+  });
+  return greatest;
 }
 
 std::vector<Interval> negative_tangent(const ShearCurve& curve, double end) {
@@ -196,6 +213,15 @@ std::vector<double> sensitivities(const ShearCurve& curve, const ShearForm& form
   }
   for (int n = 1; n <= form.degree; ++n) all.push_back(std::pow(g, n));
   return all;
+}
+
+std::vector<double> sensitivities(const ShearCurve& curve, const ShearForm& form, const ShearObservation& seen) {
+  std::vector<double> sum(static_cast<std::size_t>(form.parameters()), 0.0);
+  for_each_stress(seen, [&](double strain, double weight) {
+    const auto of_stress = sensitivities(curve, form, strain);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * of_stress[i];
+  });
+  return sum;
 }
 
 }  // namespace weaveform::identify

@@ -9,12 +9,22 @@
 
 namespace weaveform::identify {
 
+// What the stress at one strain counts in what is observed.
+struct StressWeight {
+  double strain = 0.0;  // 1
+  double weight = 0.0;  // 1, or mm^2 for a load
+};
+
 // value = full * stress(g(angle)) + half * stress(g(angle/2)), g = atanh(sin(angle)).
 // Shear frame: the stress itself (full = 1, half = 0). Bias extension: the load, with the weights of its zones.
+// Simulated test: value = shift + sum of weight * stress(strain) over `counted`, which is then not empty
+// (simulated_fit.hpp).
 struct ShearObservation {
-  double angle = 0.0;             // rad
+  double angle = 0.0;             // rad; of a simulated test the one that the travel would give a trellis
   double full = 1.0, half = 0.0;  // 1, or mm^2 for a load
   double value = 0.0;             // MPa, or N for a load
+  std::vector<StressWeight> counted = {};
+  double shift = 0.0;  // MPa or N; what else than shear bears
 };
 
 struct ShearForm {
@@ -30,6 +40,8 @@ struct ShearCurve {
 [[nodiscard]] double stress_of(const ShearCurve& curve, double strain);   // MPa; strain >= 0
 [[nodiscard]] double tangent_of(const ShearCurve& curve, double strain);  // MPa
 [[nodiscard]] double predicted(const ShearCurve& curve, const ShearObservation& observation);
+// The greatest strain at which an observation tells of the stress.
+[[nodiscard]] double greatest_strain(const ShearObservation& observation);
 // Strains in [0, end] where the tangent is negative.
 [[nodiscard]] std::vector<Interval> negative_tangent(const ShearCurve& curve, double end);
 
@@ -41,7 +53,7 @@ struct ShearCurveFit {
   double free_squares = 0.0;            // its sum of squared residuals
 };
 
-// The best curve of a form whose tangent is positive from zero strain to that of the greatest observed angle. With a
+// The best curve of a form whose tangent is positive from zero strain to the greatest observed. With a
 // start the curve is linear in all but the rise, which is searched (variable projection, Golub & Pereyra 1973) between
 // a quarter of the smallest strain observed and 0.2. Throws InputError when the observations cannot tell the
 // coefficients.
@@ -49,5 +61,8 @@ struct ShearCurveFit {
 
 // d stress / d parameter at a strain, for the parameters (plateau, rise,) c1 ... c_degree.
 [[nodiscard]] std::vector<double> sensitivities(const ShearCurve& curve, const ShearForm& form, double strain);
+// d value / d parameter of an observation.
+[[nodiscard]] std::vector<double> sensitivities(const ShearCurve& curve, const ShearForm& form,
+                                                const ShearObservation& observation);
 
 }  // namespace weaveform::identify

@@ -107,16 +107,15 @@ void compare_forms(ShearFit& fit, FormAsked form) {
 std::vector<double> errors_of_one(ShearFit& fit, const std::vector<double>& strains) {
   const FormFit& form = fit.chosen();
   const auto& grid = fit.specimens.front().grid;
-  const auto row = [&](double strain) {
-    const auto values = sensitivities(form.pooled.curve, form.form, strain);
+  const auto row = [&](const auto& of) {
+    const auto values = sensitivities(form.pooled.curve, form.form, of);
     return VectorXd(Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size())));
   };
   MatrixXd J(static_cast<Index>(grid.size()), static_cast<Index>(form.form.parameters()));
   VectorXd residual(J.rows());
   for (Index i = 0; i < J.rows(); ++i) {
     const auto& seen = grid[i];
-    J.row(i) = seen.full * row(log_shear_strain(seen.angle)).transpose();
-    if (seen.half != 0.0) J.row(i) += seen.half * row(log_shear_strain(0.5 * seen.angle)).transpose();
+    J.row(i) = row(seen).transpose();
     residual[i] = seen.value - predicted(form.pooled.curve, seen);
   }
   const CorrelatedErrors known = correlated_errors(J, residual);
@@ -142,31 +141,40 @@ std::vector<double> errors_between(ShearFit& fit, const std::vector<double>& str
   return errors;
 }
 
-void tabulate_law(ShearFit& fit, double confidence) {
-  const auto& first = fit.specimens.front().grid;
+// What the specimens' values are at a point of their grid, and what the law makes of them.
+void add_values(const ShearFit& fit, std::size_t i, LawPoint& point) {
+  std::vector<double> values, predictions;
+  for (const auto& specimen : fit.specimens) {
+    values.push_back(specimen.grid[i].value);
+    predictions.push_back(predicted(fit.chosen().pooled.curve, specimen.grid[i]));
+  }
+  point.mean = mean_of(values);
+  point.deviation = deviation_of(values);
+  point.predicted = mean_of(predictions);
+}
+
+void tabulate_law(ShearFit& fit, double confidence, const std::vector<double>& angles) {
   std::vector<double> strains;
-  strains.reserve(first.size());
-  for (const auto& seen : first) strains.push_back(log_shear_strain(seen.angle));
+  strains.reserve(angles.size());
+  for (const double angle : angles) strains.push_back(log_shear_strain(angle));
   const auto errors = fit.specimens.size() > 1 ? errors_between(fit, strains) : errors_of_one(fit, strains);
   const double shared = 1.0 - (1.0 - confidence) / fit.chosen().form.parameters();
   const double t = student_t(confidence, fit.freedom), t_whole = student_t(shared, fit.freedom);
   const ShearCurve& curve = fit.chosen().pooled.curve;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    std::vector<double> values, predictions;
-    for (const auto& specimen : fit.specimens) {
-      values.push_back(specimen.grid[i].value);
-      predictions.push_back(predicted(curve, specimen.grid[i]));
-    }
-    fit.law.push_back({.angle = first[i].angle,
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    fit.law.push_back({.angle = angles[i],
                        .strain = strains[i],
                        .stress = stress_of(curve, strains[i]),
                        .tangent = tangent_of(curve, strains[i]),
                        .half_band = t * errors[i],
-                       .half_whole = t_whole * errors[i],
-                       .mean = mean_of(values),
-                       .deviation = deviation_of(values),
-                       .predicted = mean_of(predictions)});
-  }
+                       .half_whole = t_whole * errors[i]});
+}
+
+void tabulate_on_grid(ShearFit& fit, double confidence) {
+  std::vector<double> angles;
+  for (const auto& seen : fit.specimens.front().grid) angles.push_back(seen.angle);
+  tabulate_law(fit, confidence, angles);
+  for (std::size_t i = 0; i < angles.size(); ++i) add_values(fit, i, fit.law[i]);
 }
 
 void warn_about(ShearFit& fit) {
@@ -239,13 +247,19 @@ std::vector<double> common_grid(const std::vector<ShearSpecimen>& specimens,
   return grid;
 }
 
-ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, FormAsked form, double confidence) {
+ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, FormAsked form, double confidence,
+                   const std::vector<double>& law_angles) {
   ShearFit fit;
   fit.specimens = std::move(specimens);
   fit.polynomial = fit_form(fit.specimens, {degree, false});
   if (form != FormAsked::polynomial) fit.with_start = fit_form(fit.specimens, {degree, true});
   compare_forms(fit, form);
-  tabulate_law(fit, confidence);
+  for (const auto& specimen : fit.specimens)
+    for (const auto& seen : specimen.grid) fit.end = std::max(fit.end, greatest_strain(seen));
+  if (law_angles.empty())
+    tabulate_on_grid(fit, confidence);
+  else
+    tabulate_law(fit, confidence, law_angles);
   warn_about(fit);
   return fit;
 }

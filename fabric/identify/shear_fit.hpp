@@ -9,6 +9,8 @@
 
 #include "fabric/identify/choices.hpp"
 #include "fabric/identify/shear_curve.hpp"
+#include "fabric/trellis/bias_rectangle.hpp"
+#include "fabric/trellis/shear_frame.hpp"
 
 namespace weaveform::identify {
 
@@ -18,6 +20,8 @@ struct ShearSpecimen {
   std::vector<double> value;           // MPa, or N for a load; as measured
   std::vector<ShearObservation> grid;  // the same on the common grid, angles equal for all specimens
   std::vector<std::string> notes;
+  std::optional<BiasRectangle> rectangle = {};  // of a bias extension
+  std::optional<ShearFrame> frame = {};         // of a shear frame whose size is known
 };
 
 struct FormFit {
@@ -35,8 +39,9 @@ struct LawPoint {
   double stress = 0.0, tangent = 0.0;  // MPa
   double half_band = 0.0;              // MPa; of the confidence interval at this angle alone
   double half_whole = 0.0;             // MPa; of a band for the whole curve at once
-  double mean = 0.0, deviation = 0.0;  // of the specimens' values, in the observations' unit
-  double predicted = 0.0;              // mean of what the law gives for the specimens, same unit
+  // On the specimens' own grid, in the observations' unit:
+  double mean = 0.0, deviation = 0.0;  // of the specimens' values
+  double predicted = 0.0;              // mean of what the law gives for the specimens
 };
 
 struct ShearFit {
@@ -46,6 +51,7 @@ struct ShearFit {
   bool start_chosen = false;
   std::string reason;  // why that form, in a sentence
   std::vector<LawPoint> law;
+  double end = 0.0;          // 1; strain to which the law is fitted and its tangent positive
   double freedom = 0.0;      // degrees of freedom of the band
   double correlation = 0.0;  // of neighbouring residuals of the mean curve
   std::vector<std::string> warnings;
@@ -71,6 +77,9 @@ struct ShearFit {
 // there is within a curve; the band for the whole curve is the same with the confidence divided among the coefficients
 // (Bonferroni). One specimen alone has only its residuals: their covariance is widened by the correlation of
 // neighbours.
-[[nodiscard]] ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, FormAsked form, double confidence);
+//
+// The law is tabulated at `law_angles` (rad), or on the specimens' grid when there are none.
+[[nodiscard]] ShearFit fit_shear(std::vector<ShearSpecimen> specimens, int degree, FormAsked form, double confidence,
+                                 const std::vector<double>& law_angles = {});
 
 }  // namespace weaveform::identify

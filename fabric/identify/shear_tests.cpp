@@ -60,7 +60,8 @@ ShearSpecimen frame_specimen(const Curve& curve, const TestSpec& test, double th
   const double reach = angle_of(curve.x.back());
   if (!std::isfinite(reach) || !(reach < right_angle) || (!test.trust_units && !plausible_reach(reach)))
     ask_about_angle(curve, test, angle_of);
-  ShearSpecimen specimen{.name = curve.specimen, .angle = {}, .value = {}, .grid = {}, .notes = curve.notes};
+  ShearSpecimen specimen{
+      .name = curve.specimen, .angle = {}, .value = {}, .grid = {}, .notes = curve.notes, .frame = frame};
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     specimen.angle.push_back(angle_of(curve.x[i]));
     specimen.value.push_back(normalised_shear_force(frame, curve.y[i], specimen.angle.back()) / thickness);
@@ -75,6 +76,7 @@ ShearSpecimen frame_specimen(const Curve& curve, const TestSpec& test, double th
 // Columns that already are the angle and the normalised force.
 ShearSpecimen derived_specimen(const Curve& curve, const TestSpec& test, double thickness) {
   ShearSpecimen specimen{.name = curve.specimen, .angle = curve.x, .value = {}, .grid = {}, .notes = curve.notes};
+  if (test.frame_length && test.fabric_length) specimen.frame = ShearFrame{*test.frame_length, *test.fabric_length};
   const double reach = curve.x.back();
   if (!(reach < right_angle) || (!test.trust_units && !plausible_reach(reach))) {
     const auto plausible = [&](double ratio) { return plausible_reach(ratio * reach); };
@@ -124,7 +126,8 @@ ShearSpecimen bias_specimen(Curve curve, const TestSpec& test) {
   cut_past_right_angle(curve, test, angle_of);
   if (curve.x.empty() || (!test.trust_units && !plausible_reach(angle_of(curve.x.back()))))
     ask_about_angle(curve, test, angle_of);
-  ShearSpecimen specimen{.name = curve.specimen, .angle = {}, .value = curve.y, .grid = {}, .notes = curve.notes};
+  ShearSpecimen specimen{
+      .name = curve.specimen, .angle = {}, .value = curve.y, .grid = {}, .notes = curve.notes, .rectangle = rectangle};
   for (const double travel : curve.x) specimen.angle.push_back(angle_of(travel));
   if (!test.trust_units)
     ask_about_force(specimen.name, *std::max_element(curve.y.begin(), curve.y.end()) / rectangle.width, Quantity::force,
@@ -175,18 +178,16 @@ ShearFit fit_shear_frames(const FitSpec& spec) {
 
 ShearFit fit_bias_extensions(const FitSpec& spec) {
   std::vector<ShearSpecimen> specimens;
-  std::vector<BiasRectangle> rectangles;
   for (const auto& test : spec.bias_extension) {
-    for (auto& curve : load_curves(test, spec.file, displacement_channel(test), force_channel(test))) {
+    for (auto& curve : load_curves(test, spec.file, displacement_channel(test), force_channel(test)))
       specimens.push_back(bias_specimen(std::move(curve), test));
-      rectangles.push_back({*test.width, *test.length});
-    }
   }
   std::vector<std::string> warnings;
   const double step = spec.shear.angle_step * degree;
   const auto grid = common_grid(specimens, in_radians(spec.shear.bias_angles), step, warnings);
-  fill_grids(specimens, grid, step,
-             [&](std::size_t k, double angle) { return bias_load_weights(rectangles[k], spec.thickness(), angle); });
+  fill_grids(specimens, grid, step, [&](std::size_t k, double angle) {
+    return bias_load_weights(*specimens[k].rectangle, spec.thickness(), angle);
+  });
   if (grid.back() > reliable_angle)
     warnings.push_back(
         fmt::format("bias extension fitted to {:.0f} deg of kinematic angle; where yarns slip the true "

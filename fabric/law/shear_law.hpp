@@ -17,6 +17,8 @@ struct ShearCard {
   TangentLaw tangent;  // MPa against logarithmic engineering shear strain >= 0 (Table 3); odd in the strain's sign
   ShearStart start;    // absent when plateau == 0
   double valid_to_deg = 60;  // deg; the shear angle up to which the law is meant to hold; the law is checked up to here
+  // mm/N; a in stress (1 + a T), T the tension per width, mean of warp and weft (fabric/trellis/tension_shear.hpp)
+  double tension_coupling = 0.0;
   bool operator==(const ShearCard&) const = default;
 };
 

@@ -328,6 +328,11 @@ void list_frame(const Gathered& model, std::vector<std::string>& lost) {
     lost.push_back("frame.rigid: the members stretch by the modulus and section of [frame]");
 }
 
+void list_coupling(const Gathered& model, std::vector<std::string>& lost) {
+  if (model.card.shear.tension_coupling > 0.0)
+    lost.push_back("tension_coupling of the card: shear there knows nothing of the yarns' tension");
+}
+
 void list_user_materials(const Gathered& model, std::vector<std::string>& lost) {
   const ModelSpec& spec = model.scene.model;
   lost.push_back(

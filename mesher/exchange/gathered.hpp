@@ -101,6 +101,7 @@ void amend(std::vector<std::string>& lost, const std::string& begin, const std::
 void replace(std::vector<std::string>& lost, const std::string& begin, const std::string& line);
 // How a shear frame is written by the formats that write it.
 void list_frame(const Gathered& model, std::vector<std::string>& lost);
+void list_coupling(const Gathered& model, std::vector<std::string>& lost);
 // What user materials leave to their routine, and what their constants do not say.
 void list_user_materials(const Gathered& model, std::vector<std::string>& lost);
 // Way of a grip or tool as a part of its travel at a part s in [0, 1] of the duration.

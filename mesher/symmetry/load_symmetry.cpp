@@ -133,6 +133,8 @@ std::string find_law_difference(const Scene& scene, const Card& card, const Mirr
   const auto& model = scene.model;
   // Elements have to know of mirror planes: the rotations of a shell's directors do not.
   if (model.cell == CellElement::shell) return "shell cells have no mirror planes";
+  if (card.shear.tension_coupling > 0.0)
+    return "the card couples tension and shear, which is solved on the whole blank";
   if (!map.swaps_families) return "";
   if (!(card.yarn[0] == card.yarn[1])) return "it swaps warp and weft, whose yarns differ";
   const auto differs = [](const auto& rigidity) { return rigidity && (*rigidity)[0] != (*rigidity)[1]; };

@@ -48,6 +48,12 @@ void Ply::add_own_actors(const PlySetup& setup) {
     for (double& component : gravity) component /= scene_.analysis.mass_scale;  // weight stays that of the real mass
     add(std::make_unique<Gravity>(packed_, state_, gravity));
   }
+  require_coupling(card_, scene_.model);
+  if (card_.shear.tension_coupling > 0.0) {
+    auto coupling = std::make_unique<TensionShear>(mesh_, packed_, card_, yarn_laws_);
+    coupling_ = coupling.get();
+    add(std::move(coupling));
+  }
   const Flexure flexure = choose_flexure(card_, scene_.model);
   // a shear frame's members turn, so that yarns are not clamped in them
   const auto clamped =
@@ -64,6 +70,12 @@ void Ply::add_own_actors(const PlySetup& setup) {
 
 void Ply::add(std::unique_ptr<Actor> actor) {
   actors_.push_back(std::move(actor));
+}
+
+bool Ply::passes_reach() {
+  FamilyStrains strains = forces_.strains();
+  for (std::size_t f = 0; coupling_ != nullptr && f < strains.size(); ++f) strains[f].hold(coupling_->strains()[f]);
+  return reach_.passed_by(strains, forces_.sharpest());
 }
 
 double Ply::mass() const {

@@ -20,6 +20,7 @@
 #include "solver/constraint/holds.hpp"
 #include "solver/constraint/mirror_planes.hpp"
 #include "solver/constraint/ties.hpp"
+#include "solver/coupling/tension_shear.hpp"
 #include "solver/lattice/forces.hpp"
 #include "solver/ply/critical_step.hpp"
 #include "solver/ply/energy.hpp"
@@ -78,7 +79,7 @@ public:
   // step before, and a viscosity for far shorter steps would throw yarns back.
   void set_step(double viscous_time, double step);
   // Whether yarns have come, or come within the next steps, to strains beyond what the step allows, or cells to a shear.
-  [[nodiscard]] bool passes_reach() { return reach_.passed_by(forces_.strains(), forces_.sharpest()); }
+  [[nodiscard]] bool passes_reach();
   // Whether any call since the step was renewed said so.
   [[nodiscard]] bool passed_reach() const { return reach_.passed(); }
 
@@ -143,8 +144,9 @@ private:
   Reach reach_;
   YarnLimits yarn_limits_;
   std::vector<std::unique_ptr<Actor>> actors_;
-  const Shell* shell_ = nullptr;  // one of them
-  double fabric_step_ = 0.0;      // s
+  const Shell* shell_ = nullptr;            // one of them
+  const TensionShear* coupling_ = nullptr;  // likewise
+  double fabric_step_ = 0.0;                // s
 
   std::array<double, 2> yarn_modulus_ = {0.0, 0.0};  // MPa; that the step is stable with, of each family
   double kinetic_ = 0.0, damping_work_ = 0.0;        // mJ

@@ -9,6 +9,7 @@
 #include "core/vector/append.hpp"
 #include "core/vector/eigen_vector.hpp"
 #include "mesher/mesh/stack.hpp"
+#include "solver/coupling/coupled_lattice.hpp"
 #include "solver/state/packed.hpp"
 
 namespace weaveform {
@@ -54,14 +55,17 @@ struct YarnState {
 };
 
 // e = ln((L + jaw)/(L0 + jaw)),  N = s(e) A softening (L0 + jaw)/(L + jaw)   (mesh.hpp; without the last factor when
-// the section is constant).
+// the section is constant). Shear that shortens the yarn adds s(e + shortening) - s(e) of pull
+// (solver/coupling/tension_shear.hpp).
 YarnState yarn_state(const MeshYarns& yarns, std::size_t yarn, double length, const TangentLaw& law,
-                     bool incompressible) {
+                     bool incompressible, double shortening) {
   const double rest = yarns.rest_length[yarn] + yarns.jaw[yarn];
   const double current = length + yarns.jaw[yarn];
   const double strain = std::log(current / rest);
   const double section = yarns.section[yarn] * yarns.softening[yarn] * (incompressible ? rest / current : 1.0);
-  return {strain, law.stress(strain) * section};
+  double stress = law.stress(strain);
+  if (shortening > 0.0) stress += std::max(0.0, law.stress(strain + shortening)) - std::max(0.0, stress);
+  return {strain, stress * section};
 }
 
 std::vector<Vector3d> oriented_areas(const Mesh& mesh, const std::vector<Vec3>& position) {
@@ -140,8 +144,19 @@ void fill_thickness(const Mesh& mesh, const ModelSpec& model, Fields& fields) {
   }
 }
 
-void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model, Fields& fields) {
+// 1; of every yarn element, where the card couples tension and shear.
+std::vector<double> shortenings_of(const Mesh& mesh, const Card& card, const Fields& fields) {
+  if (!(card.shear.tension_coupling > 0.0)) return std::vector<double>(mesh.yarns.node.size(), 0.0);
+  std::vector<double> energy;
+  for (const double angle : fields.shear_angle)
+    energy.push_back(shear_energy(card.shear, log_shear_strain(std::abs(angle))));
+  return shortenings(couple_lattice(mesh, card), energy, mesh.yarns.node.size());
+}
+
+void fill_yarns(const Mesh& mesh, const Card& card, const ModelSpec& model, Fields& fields) {
+  const MeshYarns& yarns = mesh.yarns;
   const std::array<TangentLaw, 2> law = yarn_laws(card, model);
+  const std::vector<double> shortening = shortenings_of(mesh, card, fields);
   const bool incompressible = model.section != Section::constant;
   const std::size_t count = yarns.node.size();
   fields.yarn_strain.resize(count);
@@ -150,7 +165,7 @@ void fill_yarns(const MeshYarns& yarns, const Card& card, const ModelSpec& model
     const auto family = static_cast<std::size_t>(yarns.family[yarn]);
     const auto [a, b] = yarns.node[yarn];
     const double length = distance(fields.position[a], fields.position[b]);
-    const YarnState state = yarn_state(yarns, yarn, length, law[family], incompressible);
+    const YarnState state = yarn_state(yarns, yarn, length, law[family], incompressible, shortening[yarn]);
     fields.yarn_strain[yarn] = state.strain;
     fields.yarn_force[yarn] = state.force;
   }
@@ -240,7 +255,7 @@ Fields compute_fields(const Mesh& mesh, const Card& card, const ModelSpec& model
   fill_cells(mesh.cells, fields);
   fill_thickness(mesh, model, fields);
   fields.folded = folded_cells(mesh, blank_plane(mesh), position);
-  fill_yarns(mesh.yarns, card, model, fields);
+  fill_yarns(mesh, card, model, fields);
   return fields;
 }
 

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array rooms = {"core", "fabric", "mesher", "solver", "post", "app"};
 // What lies in solver/ itself (solve, unit_cell) may use all of them.
-constexpr std::array solver_folders = {"state", "element", "lattice", "bending", "constraint",
-                                       "ply",   "contact", "result",  "analysis"};
+constexpr std::array solver_folders = {"state",      "element", "lattice", "bending", "coupling",
+                                       "constraint", "ply",     "contact", "result",  "analysis"};
 
 struct Include {
   fs::path file;  // relative to the project

@@ -8,6 +8,7 @@ set(VERIFY_SOURCES
   verify/fit_paper_tables_test.cpp
   verify/measured_strip_test.cpp
   verify/fit_traps_test.cpp
+  verify/simulated_fit_test.cpp
   verify/bias_extension_mesh_test.cpp
   verify/bias_extension_test.cpp
   verify/shear_frame_test.cpp
@@ -21,6 +22,7 @@ set(VERIFY_SOURCES
   verify/sheared_thickness_test.cpp
   verify/stack_cases_test.cpp
   verify/stack_test.cpp
+  verify/tension_shear_test.cpp
   verify/stability_binder_test.cpp
   verify/stability_friction_test.cpp
   verify/stability_loading_speed_test.cpp

@@ -257,6 +257,7 @@ ExportedMesh write_abaqus(const Gathered& model) {
   if (!model.mesh.tie.empty()) lost.push_back("ties: written as linear equations between displacements");
   std::string body = "*HEADING\nWoven fabric: yarns merged with shear cells\n";
   list_frame(model, lost);
+  list_coupling(model, lost);
   list_user_materials(model, lost);
   add_mesh(model, body);
   add_members(model, body);

@@ -283,6 +283,7 @@ ExportedMesh write_calculix(const Gathered& model, bool is_static) {
         line.rfind("cut cells:", 0) != 0 && line.rfind("draped start:", 0) != 0 && line.rfind("softening:", 0) != 0)
       lost.push_back(line);
   list_frame(model, lost);
+  list_coupling(model, lost);
   list_losses(model, lost);
   std::string body = "*HEADING\nWoven fabric: yarns and shear cells as springs\n";
   add_nodes(model.mesh, body);

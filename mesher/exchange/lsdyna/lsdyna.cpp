@@ -242,6 +242,7 @@ ExportedMesh write_lsdyna(const Gathered& model, Materials materials) {
   ExportedMesh result{"", model.not_carried, ""};
   auto& lost = result.not_carried;
   list_frame(model, lost);
+  list_coupling(model, lost);
   lost.push_back("rounding: coordinates have 16 characters, other numbers 10");
   if (materials == Materials::built_in)
     lsdyna::list_built_in(deck, lost);

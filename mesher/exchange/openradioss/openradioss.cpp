@@ -176,6 +176,7 @@ ExportedMesh write_openradioss(const Gathered& model, Materials materials, const
   auto& lost = result.not_carried;
   lost = model.not_carried;
   list_frame(model, lost);
+  list_coupling(model, lost);
   if (materials == Materials::built_in)
     radioss::list_built_in(deck, lost);
   else

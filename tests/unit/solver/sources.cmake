@@ -12,6 +12,7 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/contact/sheared_thickness_test.cpp
   unit/solver/contact/stack_world_test.cpp
   unit/solver/contact/tool_motion_test.cpp
+  unit/solver/coupling/tension_shear_test.cpp
   unit/solver/element/incremental_cell_test.cpp
   unit/solver/element/yarn_law_test.cpp
   unit/solver/lattice/bands_test.cpp

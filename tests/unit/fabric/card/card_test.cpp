@@ -128,6 +128,14 @@ TEST(Card, RoundTripKeepsAwkwardNumbersAndTheStart) {
   EXPECT_EQ(read_card_text(card_to_toml(card), "c.toml"), card) << card_to_toml(card);
 }
 
+TEST(Card, CouplingOfTensionAndShearIsReadAndWritten) {
+  const std::string text = card_text("linear_density = 1870", "linear_density = 1870");
+  EXPECT_EQ(card_to_toml(read_card_text(text, "c.toml")).find("tension_coupling"), std::string::npos);
+  const Card card = read_card_text(text + "tension_coupling = 0.12\n", "c.toml");
+  EXPECT_EQ(card.shear.tension_coupling, 0.12);
+  EXPECT_EQ(read_card_text(card_to_toml(card), "again"), card) << card_to_toml(card);
+}
+
 TEST(Card, FrictionInBendingIsReadAndWritten) {
   const Card card = read_card_text(
       card_text("[shear]",

@@ -81,6 +81,29 @@ TEST(FitFile, GeometryIsAskedForWithItsUnit) {
             std::string::npos);
 }
 
+TEST(FitFile, WhatCannotBeSimulatedIsRefused) {
+  const std::string head = "name = 'a'\nbase = 'twintex-pw'\n";
+  const std::string simulated = "[shear]\nmethod = 'simulation'\n";
+  const std::string bias =
+      "[[bias_extension]]\nname = 'b'\nfiles = ['b.csv']\ndisplacement_column = '1'\nforce_column = '2'\nwidth = 100\n"
+      "length = 200\n";
+  const std::string angles =
+      "[[shear_frame]]\nname = 'f'\nfiles = ['f.csv']\nangle_column = '1'\nnormalised_force_column = '2'\n";
+  EXPECT_EQ(complaint_of(head + simulated + bias), "");
+  EXPECT_EQ(complaint_of(head + simulated + "[simulation]\nsettings = ['model.yarn_law=linear']\n" + bias), "");
+  EXPECT_NE(complaint_of(head + "[simulation]\nrounds = 3\n" + bias).find("does nothing unless"), std::string::npos);
+  EXPECT_NE(complaint_of(head + simulated + angles).find("needs its 'frame_length'"), std::string::npos);
+  EXPECT_NE(complaint_of(head + simulated + "[simulation]\nsettings = ['blank.size=[1,2]']\n" + bias).find("none of"),
+            std::string::npos);
+  EXPECT_NE(complaint_of(head + simulated + "[simulation]\ndecrimping = true\n[yarn]\ncrimp = 0\n" + bias)
+                .find("needs the 'crimp'"),
+            std::string::npos);
+  const std::string frame = angles + "frame_length = 200\nfabric_length = 120\n";
+  EXPECT_NE(complaint_of(head + simulated + "[simulation]\ndecrimping = true\n" + frame + bias)
+                .find("cannot be told from a shear frame"),
+            std::string::npos);
+}
+
 TEST(FitReference, IsTheOneInTheDocs) {
   std::ifstream stream(WEAVEFORM_SOURCE_DIR "/docs/fit.md");
   const std::string docs{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
