@@ -7,15 +7,11 @@
 #include "post/trust/borders.hpp"
 
 namespace weaveform {
-namespace {
 
-// Between tools a wrinkle, without them a zigzag from cell to cell; either stands off by a thickness at least.
 double folded_share(const Summary& summary) {
   if (summary.forming) return summary.forming->wrinkles.area_share;
   return summary.folds ? summary.folds->zigzag_share : 0.0;
 }
-
-}  // namespace
 
 void warn_of_folds_of_the_mesh(const FinishedRun& run, Warnings& warnings) {
   const double share = folded_share(run.summary);
