@@ -66,7 +66,8 @@ public:
       case ToolShape::cylinder:
         return add_edge(tool, tool.radius);
       case ToolShape::ring:
-        return tool.fillet_radius > 0.0 ? add_edge(tool, tool.fillet_radius) : bends_.sharp.push_back(tool.name);
+        if (tool.fillet_radius > 0.0) add_edge(tool, tool.fillet_radius);
+        return;
       case ToolShape::revolved:
         return look_at_profile(tool);
       case ToolShape::triangles:
@@ -83,9 +84,6 @@ private:
   void add_hollow(const Tool& tool, double radius) {
     if (is_draped_over(tool)) keep_tighter(bends_.drape, std::max(radius - tool.offset, 0.0), tool.name);
   }
-  void add_sharp(const Tool& tool) {
-    if (bends_.sharp.empty() || bends_.sharp.back() != tool.name) bends_.sharp.push_back(tool.name);
-  }
 
   // mm; of a part that a bulging arc forms: a dome's own radius where it ends on the axis, else that of the ring it is;
   // infinite where it faces the axis, as the fillet of an opening, which is a saddle.
@@ -96,18 +94,12 @@ private:
   }
 
   void look_at_profile(const Tool& tool) {
-    const auto& pieces = tool.profile.piece;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const ProfilePiece& piece = pieces[p];
+    for (const ProfilePiece& piece : tool.profile.piece) {
       if (piece.radius < 0.0) add_hollow(tool, -piece.radius);
       if (piece.radius > 0.0) {
         add_edge(tool, piece.radius);
         keep_tighter(bends_.form, form_of(piece) + tool.offset, tool.name);
       }
-      if (p == 0) continue;
-      const Vec2 &before = pieces[p - 1].end_normal, &after = piece.start_normal;
-      const double turn = std::atan2(cross(before, after), dot(before, after));  // > 0: the material bulges
-      if (turn * degrees_per_radian > sharp_turn_deg) add_sharp(tool);
     }
   }
 
@@ -121,10 +113,7 @@ private:
     std::vector<std::pair<double, double>> bulging, hollow;  // radius (mm), turning (mm)
     for (const FacetEdge& edge : facets.edge) {
       if (!in_reach(tool, edge.at) || edge.turn == 0.0) continue;
-      if (std::abs(edge.turn) * degrees_per_radian > sharp_turn_deg) {
-        if (edge.turn > 0.0) add_sharp(tool);
-        continue;
-      }
+      if (std::abs(edge.turn) * degrees_per_radian > sharp_turn_deg) continue;
       const double turn = std::abs(edge.turn);
       (edge.turn > 0.0 ? bulging : hollow).emplace_back(edge.width / turn, turn * edge.length);
     }

@@ -29,8 +29,8 @@ double angle_at(const Vec3& corner, const Vec3& a, const Vec3& b) {
   return std::atan2(length(cross(u, v)), dot(u, v));
 }
 
-// The circumcentres of two triangles are l (cot a + cot b)/2 apart, a and b opposite to the edge of length l; of obtuse
-// ones the centres of mass, a third of both heights apart.
+// The circumcentres of two triangles are l (cot a + cot b)/2 apart, a and b opposite to the edge of length l. Between a third
+// of both heights (centres of mass) and half of them (strips of a cylinder): of oblique slivers they lie anywhere.
 FacetEdge edge_of(const Shared& shared) {
   const Side &one = shared.side[0], &other = shared.side[1];
   const Vec3 along = minus(shared.end, shared.begin);
@@ -43,7 +43,7 @@ FacetEdge edge_of(const Shared& shared) {
     centres += 0.5 * edge.length * cotangent_at(side.opposite, shared.begin, shared.end);
     heights += length(cross(along, minus(side.opposite, shared.begin))) / edge.length;
   }
-  edge.width = std::max(centres, heights / 3.0);
+  edge.width = std::clamp(centres, heights / 3.0, heights / 2.0);
   return edge;
 }
 

@@ -16,14 +16,15 @@ namespace weaveform {
 //   force   c_F (L/F)^2 + c_R (L/R)^2 ,   angle   a_F (L/F)^2 + a_R (L/R)^2   (deg)
 // c_F = 0.41: a hemisphere of 75 mm through fillets of 40 mm, where edges hardly count: 3.5, 5.6, 8.0, 16.5 % at L/F =
 // 0.29, 0.37, 0.44, 0.65 (docs/stability/tool_radius_cases.csv). What that leaves of the drawings over fillets of 12 to
-// 20 mm makes c_R = 0.02 to 0.05 with contact at nodes, 0.008 to 0.02 with contact that knows the curve; the angle's,
-// means over patches of 20 mm, follow in the same way (docs/contact.md, docs/accuracy.md).
+// 20 mm makes c_R = 0.02 to 0.05 with contact at nodes, 0.008 to 0.02 with contact that knows the curve (docs/contact.md). Angles
+// are means over patches of 20 mm: 6.6, 1.6, 1.1, 0.3 deg at coarsening 4, 2, 1.36, 1 of bench/accuracy/parts/hemisphere_60.toml,
+// 1.2, 0.7, 0.5, 0.15 deg at 4, 2, 1.69, 1 of examples/hemisphere_pw_fast.toml.
 struct FormingErrors {
   double form = 0.41, edge = 0.05;             // 1; of the force
-  double form_angle = 20.0, edge_angle = 0.8;  // deg
+  double form_angle = 44.0, edge_angle = 1.8;  // deg
 };
 [[nodiscard]] constexpr FormingErrors forming_errors(bool curved_contact) {
-  return curved_contact ? FormingErrors{.edge = 0.02, .edge_angle = 0.35} : FormingErrors{};
+  return curved_contact ? FormingErrors{.edge = 0.02, .edge_angle = 0.8} : FormingErrors{};
 }
 
 // Radii in mm, infinite where there is none.
@@ -65,8 +66,8 @@ inline constexpr double pulled_per_side = 0.117, pulled_angle_per_side = 0.9, pi
 }
 
 // The field of a shear frame is uniform, and its error the same at 3, 6 and 12 cells a side (docs/accuracy.md); whatever
-// else, a blank has two cells across.
-inline constexpr double cells_in_frame = 3.0, cells_across = 2.0;
+// else, a blank has three cells across, the fewest that a mesh may have (mesher/lattice/build.cpp).
+inline constexpr double cells_in_frame = 3.0, cells_across = 3.0;
 
 // No mesh finer than half a yarn's interval stands behind any of these (docs/accuracy.md#hemisphere).
 inline constexpr double finest_coarsening = 0.5;

@@ -49,7 +49,7 @@ std::string bend_words(const ToolBends& bends) {
   return words;
 }
 
-void bound_by_tools(const Scene& scene, const Card& card, double reach, Bounds& bounds, std::string& sharp) {
+void bound_by_tools(const Scene& scene, const Card& card, double reach, Bounds& bounds) {
   const AccuracySpec& wanted = *scene.accuracy;
   const ToolBends bends = tool_bends(scene, make_tools(scene, card.thickness), reach);
   if (!bends.edge.tool.empty() || !bends.form.tool.empty())
@@ -60,9 +60,6 @@ void bound_by_tools(const Scene& scene, const Card& card, double reach, Bounds& 
     bounds.add(longest_of_net(wanted, bends.drape.radius),
                fmt::format("for {:.3g} deg of the net on tool '{}', whose tightest bend is {:.3g} mm", wanted.angle,
                            bends.drape.tool, bends.drape.radius));
-  for (const std::string& tool : bends.sharp)
-    sharp += fmt::format("{}tool '{}' has an edge without radius, which no mesh resolves; round it",
-                         sharp.empty() ? "" : "; ", tool);
 }
 
 // mm; along which a strip hangs that one edge holds, else the shorter side.
@@ -77,7 +74,7 @@ double overhang_of(const Scene& scene, const std::array<double, 2>& extent) {
 void bound_by_loads(const Scene& scene, const std::array<double, 2>& extent, Bounds& bounds) {
   const AccuracySpec& wanted = *scene.accuracy;
   const double across = std::min(extent[0], extent[1]);
-  bounds.add(across / cells_across, fmt::format("two cells across a blank of {:.4g} mm", across));
+  bounds.add(across / cells_across, fmt::format("three cells across a blank of {:.4g} mm", across));
   if (scene.frame) return bounds.add(across / cells_in_frame, "a shear frame's field is uniform: three cells a side");
   if (is_flat(scene) && !scene.grip.empty()) {
     const bool pinned = scene.model.yarn != YarnElement::beam && !hardly_stretches(scene.model);
@@ -112,12 +109,10 @@ void bound_by_boxes(const Scene& scene, Bounds& bounds) {
 
 Bound longest_cell(const Scene& scene, const Card& card, const std::array<double, 2>& extent) {
   Bounds bounds;
-  std::string sharp;
   bound_by_loads(scene, extent, bounds);
   bound_by_boxes(scene, bounds);
-  if (!scene.tools.empty()) bound_by_tools(scene, card, 0.5 * std::hypot(extent[0], extent[1]), bounds, sharp);
+  if (!scene.tools.empty()) bound_by_tools(scene, card, 0.5 * std::hypot(extent[0], extent[1]), bounds);
   Bound bound = bounds.least();
-  bound.missed = sharp;
   const double finest = finest_coarsening * std::sqrt(card.yarn[0].interval * card.yarn[1].interval);
   if (bound.side < finest) {
     bound.missed =
@@ -128,12 +123,17 @@ Bound longest_cell(const Scene& scene, const Card& card, const std::array<double
   return bound;
 }
 
+// Not above `value`, and written with three digits.
+double three_digits(double value) {
+  return std::stod(fmt::format("{:.3g}", rounded_down(value, 3)));
+}
+
 // Cells about as long as wide, of warp and weft.
 TakenElement take_coarsening(Scene& scene, const Card& card, const std::array<double, 2>& extent) {
   constexpr double least = 0.05, greatest = 100.0;  // as the key allows
   const Bound bound = longest_cell(scene, card, extent);
   for (std::size_t f = 0; f < 2; ++f)
-    scene.blank.coarsening[f] = std::clamp(rounded_down(bound.side / card.yarn[f].interval, 3), least, greatest);
+    scene.blank.coarsening[f] = std::clamp(three_digits(bound.side / card.yarn[f].interval), least, greatest);
   scene.blank.coarsening_open = false;
   return {fmt::format("cells of {:.3g} mm, {}", bound.side, bound.why), bound.missed};
 }

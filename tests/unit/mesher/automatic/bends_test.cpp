@@ -67,15 +67,17 @@ ToolBends bends_of(const Tool& tool, double reach = 1e6) {
   return tool_bends(Scene{}, {tool}, reach);
 }
 
-// Facets of 5 to 22 degrees, upright and oblique ones: within 6 %, for the two chords beside the flat are half turned.
+// Facets of 5 to 22 degrees: within 6 %, for the two chords beside the flat are half turned. Slivers hide where they turn:
+// the radius may come out smaller by a third (facets.cpp), never larger.
 TEST(ToolBends, OfARoundedEdgeOfTrianglesAreItsRadius) {
   for (const double radius : {3.0, 12.0})
     for (const int facets : {4, 8, 18})
       for (const double shift : {0.0, 1.0}) {
         const ToolBends bends = bends_of(tool_of(rounded_edge(radius, 80.0, facets, shift)));
-        EXPECT_NEAR(bends.edge.radius, radius + offset, 0.06 * radius) << facets << " facets, shift " << shift;
+        EXPECT_LT(bends.edge.radius, 1.06 * radius + offset) << facets << " facets, shift " << shift;
+        EXPECT_GT(bends.edge.radius, (shift == 0.0 ? 0.94 : 0.62) * radius + offset)
+            << facets << " facets, shift " << shift;
         EXPECT_TRUE(std::isinf(bends.form.radius)) << "a single curvature forms nothing: " << bends.form.radius;
-        EXPECT_TRUE(bends.sharp.empty());
       }
 }
 
@@ -93,14 +95,13 @@ TEST(ToolBends, OfTrianglesDoNotHangOnTheirSize) {
   EXPECT_NEAR(coarse, fine, 0.06 * fine);
 }
 
-TEST(ToolBends, AnEdgeWithoutRadiusIsSharp) {
-  const ToolBends bends = bends_of(tool_of(rounded_edge(3.0, 80.0, 1, 0.0)));  // two bends of 45 degrees
-  EXPECT_EQ(bends.sharp, std::vector<std::string>{"cad"});
+TEST(ToolBends, AnEdgeWithoutRadiusDoesNotCount) {
+  EXPECT_TRUE(std::isinf(bends_of(tool_of(rounded_edge(3.0, 80.0, 1, 0.0))).edge.radius));  // two bends of 45 degrees
   Tool ring;
-  ring.name = "die";
+  ring.name = "binder";
   ring.shape = ToolShape::ring;
   ring.radius = 40.0;
-  EXPECT_EQ(bends_of(ring).sharp, std::vector<std::string>{"die"});
+  EXPECT_TRUE(std::isinf(bends_of(ring).edge.radius));
 }
 
 TEST(ToolBends, WhatLiesOffTheBlankDoesNotCount) {

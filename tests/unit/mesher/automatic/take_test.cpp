@@ -133,7 +133,7 @@ TEST(Automatic, CellsAreAsLongAsWide) {
 }
 
 TEST(Automatic, SmallBoxesHaveCells) {
-  const Scene scene = taken(drawing, {"measure=[{name = \"spot\", box = [0, 0, 6, 6]}]"});
+  const Scene scene = taken(drawing + "[[measure]]\nname = \"spot\"\nbox = [0, 0, 6, 6]\n");
   EXPECT_LE(coarsening(scene) * 4.92, 4.0);  // 6 mm over sqrt(2) is 4.2
   EXPECT_NE(find_taken(scene, "blank.coarsening")->why.find("spot"), std::string::npos);
 }
@@ -151,12 +151,6 @@ TEST(Automatic, WhatIsOverruledIsNoLongerOnRecord) {
   const Scene scene = read_scene_text(copy, "s.toml", {"blank.coarsening=4"});
   EXPECT_EQ(find_taken(scene, "blank.coarsening"), nullptr);
   EXPECT_NE(find_taken(scene, "model.cell"), nullptr);
-}
-
-TEST(Automatic, AnEdgeWithoutRadiusIsSaid) {
-  const Scene scene = taken(drawing, {"tools.die.fillet_radius=0"});
-  ASSERT_EQ(missed_lines(scene).size(), 1u);
-  EXPECT_NE(missed_lines(scene).front().find("'die' has an edge without radius"), std::string::npos);
 }
 
 }  // namespace
