@@ -65,7 +65,7 @@ TakenElement take_yarn(Scene& scene, const Card& card) {
   if (model.partner != SeatbeltPartner::none)
     return set_yarn(scene, YarnElement::seatbelt, "model.partner asks for seatbelts");
   if (model.yarn_bending) return set_yarn(scene, YarnElement::beam, "model.yarn_bending asks for yarns that bend");
-  if (!is_flat(scene))
+  if (!is_flat(scene) && !is_stretched(scene))
     return set_yarn(scene, YarnElement::truss, "beams change nothing where tools or weight bend cells");
   if (scene.frame) return set_yarn(scene, YarnElement::truss, "a shear frame shears its fabric alike everywhere");
   if (scene.grip.empty()) return set_yarn(scene, YarnElement::truss, "nothing pulls the fabric");

@@ -12,6 +12,11 @@ namespace weaveform {
 // Nothing pushes or pulls the fabric out of its plane.
 [[nodiscard]] bool is_flat(const Scene& scene);
 
+// Held by grips at two places or more, so that tools stretch it.
+[[nodiscard]] inline bool is_stretched(const Scene& scene) {
+  return !scene.tools.empty() && scene.grip.size() >= 2;
+}
+
 // Pulled yarns that stretch so little that zones end in a jump on any mesh: no card's decrimping, or stiffened.
 [[nodiscard]] inline bool hardly_stretches(const ModelSpec& model) {
   return model.yarn_law != YarnLaw::card || model.yarn_stiffness_scale > 1.0;

@@ -54,6 +54,13 @@ inline constexpr double pulled_per_side = 0.117, pulled_angle_per_side = 0.9, pi
          std::min(wanted.force / (pinned ? pinned_per_side : pulled_per_side), wanted.angle / pulled_angle_per_side);
 }
 
+// The same where a tool stretches fabric that grips hold at two places or more, with beams: 1.9, 3.6, 3.0, 1.4 % of the
+// tool's force at L/W = 0.12, 0.1, 0.07, 0.05, and 9.4 % at 0.14 (bench/accuracy/parts/stretch_over_bar.toml).
+inline constexpr double stretched_per_side = 0.4;
+[[nodiscard]] inline double longest_stretched(const AccuracySpec& wanted, double width) {
+  return width * std::min(wanted.force / stretched_per_side, wanted.angle / pulled_angle_per_side);
+}
+
 // A strip that hangs by its weight over the length l sags (L/l)^2 too far, and turns by some 60 deg
 // (docs/elements.md#against-closed-forms).
 [[nodiscard]] inline double longest_hanging(const AccuracySpec& wanted, double overhang) {

@@ -82,6 +82,10 @@ void bound_by_loads(const Scene& scene, const std::array<double, 2>& extent, Bou
                fmt::format("for {} of fabric pulled over a width of {:.4g} mm{}", wanted_words(wanted), across,
                            pinned ? " whose yarns do not bend in the plane" : ""));
   }
+  if (is_stretched(scene))
+    bounds.add(longest_stretched(wanted, across),
+               fmt::format("for {} of fabric held by grips and stretched by tools, {:.4g} mm wide",
+                           wanted_words(wanted), across));
   if (scene.tools.empty() && scene.analysis.gravity[2] != 0.0) {
     const double overhang = overhang_of(scene, extent);
     bounds.add(longest_hanging(wanted, overhang),

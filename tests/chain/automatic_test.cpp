@@ -16,7 +16,7 @@ using test::says;
 
 // A strip of fabric, held at both ends and pressed by a bar: a second or less.
 const std::string belt = R"([blank]
-size = [120, 60]
+size = [240, 160]
 yarn_angle = 0
 coarsening = "auto"
 [model]

@@ -112,6 +112,9 @@ TEST(Automatic, YarnsBendWherePulledFabricHasNoLimitWithout) {
   EXPECT_EQ(taken(bias).model.yarn, YarnElement::beam);
   for (const std::string& text : {drawing, hanging, framed, free_blank})
     EXPECT_EQ(taken(text).model.yarn, YarnElement::truss);
+  EXPECT_EQ(
+      taken(drawing + "[[grip]]\nname = \"l\"\nedge = \"left\"\n[[grip]]\nname = \"r\"\nedge = \"right\"\n").model.yarn,
+      YarnElement::beam);
   EXPECT_EQ(taken(bias, {"model.yarn_law=linear"}).model.yarn, YarnElement::truss);
   // and without them the mesh pays for it
   EXPECT_LT(coarsening(taken(bias, {"model.yarn=truss"})), 0.5 * coarsening(taken(bias)));
