@@ -22,9 +22,10 @@ namespace weaveform {
 struct FormingErrors {
   double form = 0.41, edge = 0.05;             // 1; of the force
   double form_angle = 44.0, edge_angle = 1.8;  // deg
+  double longest = 0.8;                        // 1; of R: beyond there is no order (post/trust/coarse_on_tools.cpp)
 };
 [[nodiscard]] constexpr FormingErrors forming_errors(bool curved_contact) {
-  return curved_contact ? FormingErrors{.edge = 0.02, .edge_angle = 0.8} : FormingErrors{};
+  return curved_contact ? FormingErrors{.edge = 0.02, .edge_angle = 0.8, .longest = 1.3} : FormingErrors{};
 }
 
 // Radii in mm, infinite where there is none.
@@ -32,7 +33,7 @@ struct FormingErrors {
                                                double edge) {
   const double force = errors.form / (form * form) + errors.edge / (edge * edge);
   const double angle = errors.form_angle / (form * form) + errors.edge_angle / (edge * edge);
-  return std::min(std::sqrt(wanted.force / force), std::sqrt(wanted.angle / angle));
+  return std::min({std::sqrt(wanted.force / force), std::sqrt(wanted.angle / angle), errors.longest * edge});
 }
 
 // L/R of a chord on an edge alone.
