@@ -8,10 +8,12 @@
 
 #include "core/vector/angle.hpp"
 #include "core/vector/append.hpp"
+#include "mesher/scene/taken.hpp"
 #include "post/forming/forming.hpp"
 #include "post/measure/bias_comparison.hpp"
 #include "post/output/contours.hpp"
 #include "post/output/summary.hpp"
+#include "post/trust/assumptions.hpp"
 #include "post/trust/warnings.hpp"
 #include "solver/result/stack_fields.hpp"
 
@@ -63,9 +65,13 @@ void evaluate_plies(const Resolved& model, const Fields& end, const History& his
     of_ply.forming = summary.ply.back().forming;
     of_ply.folds = summary.ply.back().folds;
     of_ply.waves = summary.ply.back().waves;
-    for (const std::string& line :
-         warnings({ply.scene, ply.card, ply.mesh, ply.tools, ply.extent(), own, history, of_ply}, WarningsOf::one_ply))
-      of_plies.push_back(name_before(model, k) + line);
+    const FinishedRun run{ply.scene, ply.card, ply.mesh, ply.tools, ply.extent(), own, history, of_ply};
+    for (const std::string& line : warnings(run, WarningsOf::one_ply)) of_plies.push_back(name_before(model, k) + line);
+    for (TakenSummary& taken : judge_taken(run)) {
+      if (taken.taken.key == duration_key && k > 0) continue;  // every ply's, and the same
+      taken.taken = of_stack(std::move(taken.taken), summary.ply.back().name);
+      summary.taken.push_back(std::move(taken));
+    }
   }
   summary.warning = warnings({model.scene, model.card, model.mesh, model.tools, model.extent(), end, history, summary},
                              WarningsOf::whole_run);
@@ -123,7 +129,9 @@ Evaluation evaluate(ResultFolder& folder) {
     summary.forming = evaluate_forming(scene, mesh, model.tools, end, history);
     summary.folds = find_folds(scene, mesh, end.position);
     summary.waves = waves_of(model, end, summary.forming);
-    summary.warning = warnings({scene, card, mesh, model.tools, model.extent(), end, history, summary});
+    const FinishedRun run{scene, card, mesh, model.tools, model.extent(), end, history, summary};
+    summary.warning = warnings(run);
+    summary.taken = judge_taken(run);
   } else {
     evaluate_plies(model, end, history, summary);
   }

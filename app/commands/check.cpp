@@ -14,6 +14,7 @@
 #include "app/stages/stages.hpp"
 #include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/taken.hpp"
 #include "post/trust/expected_waves.hpp"
 
 namespace weaveform {
@@ -31,6 +32,11 @@ std::string commented(const std::string& text) {
   for (const char c : text) lines += c == '\n' ? std::string("\n# ") : std::string(1, c);
   return lines + "\n";
 }
+std::string commented(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += commented(line);
+  return text;
+}
 
 }  // namespace
 
@@ -44,14 +50,13 @@ void add_check_command(CLI::App& program) {
   command->callback([arguments] {
     const SceneArguments& scene = arguments->scene;
     Resolved model = checked_model(scene.scene, scene.overrides, scene.yes, Look::with_first_step);
-    const auto duration = choose_duration(scene.scene, scene.overrides);
-    set_duration(model, duration);
+    set_duration(model, choose_duration(scene.scene, scene.overrides));
     const ExpectedRun expected = require_room(model, default_result_folder(scene.scene), scene.yes);
     log_warnings(warnings_before(model));
     const std::string resolved = arguments->resolved ? resolved_text(model) : "";
     if (arguments->json) return print_answer(json_text(check_json(model, expected, resolved)));
-    print_answer(commented(describe(model)) + (duration ? commented(describe(*duration)) : "") +
-                 commented(describe(expected)) + scene_to_toml(model.scene) + resolved);
+    print_answer(commented(describe(model)) + commented(taken_lines(model.scene)) + commented(describe(expected)) +
+                 scene_to_toml(model.scene) + resolved);
   });
 }
 

@@ -14,6 +14,7 @@
 #include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/scene/scene_copy.hpp"
+#include "mesher/scene/taken.hpp"
 #include "post/output/drape_result.hpp"
 
 namespace weaveform {
@@ -37,7 +38,10 @@ void make_drape(const DrapeArguments& arguments) {
   if (!scene.drape) throw InputError(scene.file + ": no [drape] table; add one with tool = \"NAME\"");
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
-  if (!arguments.quiet) log_start("drape", scene, arguments.verbose);
+  if (!arguments.quiet) {
+    log_start("drape", scene, arguments.verbose);
+    log_lines(taken_lines(scene));
+  }
   const OutputFolder folder(result_claim(directory, scene));
   log_warning(folder.trouble());
   const Drape drape = drape_blank(scene, model.mesh, model.tools);

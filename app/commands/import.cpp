@@ -16,6 +16,7 @@
 #include "core/files/files.hpp"
 #include "core/json/json_text.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/taken.hpp"
 
 namespace weaveform {
 
@@ -55,6 +56,11 @@ void run_import(const ImportArguments& arguments) {
     model.scene = read_scene(arguments.scene, arguments.overrides);
     if (!model.scene.ply.empty())
       throw InputError(arguments.scene + ": a mesh from elsewhere is one ply; leave [[ply]] and [stack] out");
+    if (leaves_open(model.scene))
+      throw InputError(
+          arguments.scene +
+          ": a mesh from elsewhere has cells of its own, which no accuracy chooses; give blank.coarsening, "
+          "model.yarn and model.cell in place of \"auto\"");
     model.card = load_card(model.scene.fabric.material, model.scene.file);
     imported = import_foreign(file, model.scene, model.card, arguments.part);
   }

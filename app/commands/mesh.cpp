@@ -15,6 +15,8 @@
 #include "app/stages/plan.hpp"
 #include "app/stages/stages.hpp"
 #include "core/json/json_text.hpp"
+#include "mesher/automatic/take.hpp"
+#include "mesher/scene/taken.hpp"
 #include "post/trust/expected_waves.hpp"
 
 namespace weaveform {
@@ -31,13 +33,13 @@ struct MeshArguments {
 
 void make_mesh(const MeshArguments& arguments) {
   if (arguments.plan) {
+    if (!arguments.quiet) log_lines(taken_lines(read_taken_scene(arguments.scene.scene, arguments.scene.overrides)));
     const auto plan = make_plan(arguments.scene.scene, arguments.scene.overrides, arguments.threads);
     return print_answer(arguments.json ? json_text(plan_json(plan)) : plan_table(plan));
   }
   Resolved model =
       checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_first_complaint);
-  const auto duration = choose_duration(arguments.scene.scene, arguments.scene.overrides);
-  set_duration(model, duration);
+  set_duration(model, choose_duration(arguments.scene.scene, arguments.scene.overrides));
   const std::filesystem::path directory =
       arguments.output.empty() ? default_result_folder(arguments.scene.scene) : std::filesystem::path(arguments.output);
   if (!arguments.quiet) log_start("mesh", model.scene, arguments.verbose);
@@ -46,7 +48,7 @@ void make_mesh(const MeshArguments& arguments) {
   log_warnings(warnings_before(model));
   (void)write_model(model, directory, console_listener(arguments.quiet));
   if (arguments.quiet) return;
-  if (duration) log_line(describe(*duration));
+  log_lines(taken_lines(model.scene));
   print_answer(arguments.json ? json_text(mesh_json(model)) : describe(model));
   log_end(directory, fmt::format("mesh.vtu for ParaView; next: weaveform solve {}", directory.string()));
 }

@@ -13,12 +13,14 @@
 #include "app/stages/checked_model.hpp"
 #include "app/stages/chosen_duration.hpp"
 #include "app/stages/claims.hpp"
+#include "app/stages/record.hpp"
 #include "app/stages/stages.hpp"
 #include "app/study/accuracy.hpp"
 #include "core/error.hpp"
 #include "core/files/files.hpp"
 #include "core/json/json_text.hpp"
-#include "mesher/scene/reader.hpp"
+#include "mesher/automatic/take.hpp"
+#include "mesher/scene/taken.hpp"
 #include "post/report/result_report.hpp"
 #include "post/trust/expected_waves.hpp"
 
@@ -63,10 +65,10 @@ void run_to_accuracy(const RunArguments& arguments) {
   options.threads = arguments.solve.threads;
   if (!arguments.solve.quiet) options.log = log_line;
   const std::filesystem::path directory = folder_of(arguments);
-  const auto duration = choose_duration(arguments.scene.scene, arguments.scene.overrides);
-  if (duration) log_line(describe(*duration));
-  const auto overrides = with_duration(arguments.scene.overrides, duration);
-  const Scene scene = read_scene(arguments.scene.scene, overrides);
+  const auto overrides =
+      with_duration(arguments.scene.overrides, choose_duration(arguments.scene.scene, arguments.scene.overrides));
+  const Scene scene = read_taken_scene(arguments.scene.scene, overrides);
+  if (!arguments.solve.quiet) log_lines(taken_lines(scene));
   const OutputFolder folder(result_claim(directory, scene));
   log_warning(folder.trouble());
   const InterruptWatch signals;
@@ -99,17 +101,19 @@ void run_to_accuracy(const RunArguments& arguments) {
 
 void run(const RunArguments& arguments) {
   if (!arguments.accuracy.empty()) return run_to_accuracy(arguments);
-  Resolved model =
-      checked_model(arguments.scene.scene, arguments.scene.overrides, arguments.scene.yes, Look::for_all_complaints);
-  const auto duration = choose_duration(arguments.scene.scene, arguments.scene.overrides);
-  set_duration(model, duration);
   const std::filesystem::path directory = folder_of(arguments);
+  const SceneArguments& asked = arguments.scene;
+  const Record record = arguments.solve.resume ? record_of(directory) : Record{};
+  const auto overrides = with_record(record, asked.scene, asked.overrides);
+  Resolved model = checked_model(asked.scene, overrides, asked.yes, Look::for_all_complaints);
+  set_duration(model, choose_duration(asked.scene, overrides));
+  keep_record(record, model);
   std::string expected;
   if (!arguments.solve.resume) expected = describe(require_room(model, directory, arguments.scene.yes));
   if (!arguments.solve.quiet) {
     log_start("run", model.scene, arguments.verbose);
     log_line(describe(model));
-    if (duration) log_line(describe(*duration));
+    log_lines(taken_lines(model.scene));
     if (!expected.empty()) log_line(expected);
   }
   const OutputFolder folder(result_claim(directory, model.scene));

@@ -40,6 +40,10 @@ void log_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& line : warnings) log_warning(line);
 }
 
+void log_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) log_line(line);
+}
+
 void log_start(const std::string& command, const Scene& scene, bool verbose) {
   log_line(fmt::format("{}: {} {}", version_line(), command, scene.file));
   if (verbose) log_line(scene_to_toml(scene));

@@ -22,6 +22,9 @@ void solve_on_console(ResultFolder& folder, const SolveOptions& options, bool ye
 // "warning: ..." on standard error, also of a quiet command.
 void log_warnings(const std::vector<std::string>& warnings);
 
+// Each as a line of the log.
+void log_lines(const std::vector<std::string>& lines);
+
 // Logs program and command; with `verbose` every value of the scene too, so that the log alone can be run again.
 void log_start(const std::string& command, const Scene& scene, bool verbose);
 

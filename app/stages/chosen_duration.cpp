@@ -8,8 +8,11 @@
 
 #include "app/stages/checked_model.hpp"
 #include "core/error.hpp"
+#include "core/keys/key_value.hpp"
+#include "mesher/automatic/take.hpp"
 #include "mesher/scene/overrides.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/taken.hpp"
 #include "post/trust/inertia.hpp"
 #include "solver/analysis/loading.hpp"
 #include "solver/solve.hpp"
@@ -84,13 +87,18 @@ std::optional<Resolved> trial_model(const Scene& scene, const std::string& scene
   }
 }
 
+std::string reason(const ChosenDuration& chosen) {
+  return fmt::format("inertia is {:.2g} % of the loads: from {} on a mesh of {} cells", 100.0 * chosen.share,
+                     chosen.trials == 1 ? "a trial" : fmt::format("{} trials", chosen.trials), chosen.cells);
+}
+
 }  // namespace
 
 std::optional<ChosenDuration> choose_duration(const std::string& scene_file,
                                               const std::vector<std::string>& overrides) {
-  const Scene scene = read_scene(scene_file, overrides);
+  if (!leaves_open(read_scene(scene_file, overrides), duration_key)) return std::nullopt;
+  const Scene scene = read_taken_scene(scene_file, overrides);
   const AnalysisSpec& analysis = scene.analysis;
-  if (!analysis.inertia || analysis.duration || analysis.loading_speed) return std::nullopt;
   for (const double factor : trial_factors) {
     auto model = trial_model(scene, scene_file, overrides, factor);
     const auto chosen = model ? try_on(std::move(*model), *analysis.inertia) : std::nullopt;
@@ -106,14 +114,10 @@ std::optional<ChosenDuration> choose_duration(const std::string& scene_file,
       scene.file));
 }
 
-std::string describe(const ChosenDuration& chosen) {
-  return fmt::format("duration {:g} s, at which inertia is {:.2g} % of the loads: from {} on a mesh of {} cells",
-                     chosen.duration, 100.0 * chosen.share,
-                     chosen.trials == 1 ? "a trial" : fmt::format("{} trials", chosen.trials), chosen.cells);
-}
-
 void set_duration(Resolved& model, const std::optional<ChosenDuration>& chosen) {
-  if (chosen) give_duration(model, chosen->duration);
+  if (!chosen) return;
+  give_duration(model, chosen->duration);
+  model.scene.taken.push_back({duration_key, toml_text(chosen->duration).value_or(""), reason(*chosen), ""});
 }
 
 std::vector<std::string> with_duration(std::vector<std::string> overrides,

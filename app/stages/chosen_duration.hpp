@@ -23,10 +23,7 @@ struct ChosenDuration {
 [[nodiscard]] std::optional<ChosenDuration> choose_duration(const std::string& scene_file,
                                                             const std::vector<std::string>& overrides);
 
-// "duration 0.143 s: ..."
-[[nodiscard]] std::string describe(const ChosenDuration& chosen);
-
-// Where one was chosen: the duration as the scene's own, or as one more override.
+// Where one was chosen: the duration as the scene's own, on record in scene.taken; or as one more override.
 void set_duration(Resolved& model, const std::optional<ChosenDuration>& chosen);
 [[nodiscard]] std::vector<std::string> with_duration(std::vector<std::string> overrides,
                                                      const std::optional<ChosenDuration>& chosen);

@@ -12,8 +12,8 @@
 #include "app/stages/checked_model.hpp"
 #include "app/stages/chosen_duration.hpp"
 #include "core/error.hpp"
+#include "mesher/automatic/take.hpp"
 #include "mesher/scene/overrides.hpp"
-#include "mesher/scene/reader.hpp"
 #include "solver/solve.hpp"
 
 namespace weaveform {
@@ -73,7 +73,7 @@ PlanRow measured_row(const Resolved& model, int threads) {
 }  // namespace
 
 std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<std::string>& overrides, int threads) {
-  const Scene asked = read_scene(scene_file, overrides);
+  const Scene asked = read_taken_scene(scene_file, overrides);
   const auto with_its_duration = with_duration(overrides, choose_duration(scene_file, overrides));
   std::vector<PlanRow> rows;
   std::vector<double> shorter;  // of each row; of one that takes long, that of the finest that does not

@@ -11,7 +11,7 @@
 #include "app/study/measure.hpp"
 #include "app/study/runner.hpp"
 #include "core/error.hpp"
-#include "mesher/scene/reader.hpp"
+#include "mesher/automatic/take.hpp"
 #include "post/convergence/convergence.hpp"
 #include "post/report/words.hpp"
 
@@ -177,7 +177,7 @@ double parse_accuracy(const std::string& text) {
 
 Accuracy find_accuracy(const fs::path& scene_file, const std::vector<std::string>& overrides, const fs::path& directory,
                        const AccuracyOptions& options) {
-  const Scene scene = read_scene(scene_file, overrides);
+  const Scene scene = read_taken_scene(scene_file, overrides);
   const std::vector<std::string> measures = options.measures.empty() ? default_measures(scene) : options.measures;
   const fs::path folder = directory / report_name::levels;
   std::vector<SolvedLevel> levels;  // coarsest first

@@ -46,6 +46,23 @@ template <auto member>
                    [](const Spec& spec) { return toml_text(spec.*member); }};
 }
 
+// The same for a key that may be "auto": `open` is then set beside the member, which somebody else gives its value.
+template <auto member, auto open>
+[[nodiscard]] auto key_or_auto(KeyRule rule) {
+  using Spec = decltype(detail::owner_of(member));
+  auto row = key<member>(std::move(rule));
+  if (row.rule.allowed.empty())
+    row.type += " or \"auto\"";
+  else
+    row.rule.allowed.emplace_back("auto");
+  row.read = [read = row.read](const toml::node& node, const KeyRule& about, Spec& spec, Complaints& complaints) {
+    spec.*open = node.value<std::string>() == "auto";
+    if (!(spec.*open)) read(node, about, spec, complaints);
+  };
+  row.write = [write = row.write](const Spec& spec) { return spec.*open ? TomlText("\"auto\"") : write(spec); };
+  return row;
+}
+
 // The rows of a part of a struct as rows of the whole struct.
 template <auto part, class Part>
 [[nodiscard]] auto keys_of_part(const std::vector<Key<Part>>& keys) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mesher/automatic/take.hpp"
 #include "mesher/drape/drape.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/resolve/stack.hpp"
@@ -73,9 +74,12 @@ Resolved resolve(const fs::path& scene_file, const std::vector<std::string>& ove
   }
   const bool outlined = has_outline_file(model.scene, found);
   const bool carded = found.attempt([&] { model.card = load_card(model.scene.fabric.material, model.scene.file); });
-  if (carded && checks.of_card) found.attempt([&] { checks.of_card(model.scene, model.card); });
-  const bool meshed = outlined && carded && found.attempt([&] {
+  const bool taken = outlined && carded && found.attempt([&] {
     model.outline = read_blank_outline(model.scene);
+    take_what_is_open(model.scene, model.card, model.outline);
+  });
+  if (carded && checks.of_card) found.attempt([&] { checks.of_card(model.scene, model.card); });
+  const bool meshed = taken && found.attempt([&] {
     if (checks.of_size) checks.of_size(model.scene, model.card, model.outline);
     model.mesh = build_flat_mesh(model.scene, model.card, model.outline);
   });

@@ -1,5 +1,5 @@
 // The one way from a scene to what it leads to (resolved.hpp), in the order in which one thing needs another: scene,
-// card, outline, flat mesh, tools, drape, symmetry.
+// card, outline, what the scene leaves open (mesher/automatic), flat mesh, tools, drape, symmetry.
 #pragma once
 
 #include <filesystem>

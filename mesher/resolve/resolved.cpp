@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "mesher/scene/idle.hpp"
+#include "mesher/scene/taken.hpp"
 #include "mesher/tools/out_of_reach.hpp"
 
 namespace weaveform {
@@ -16,6 +17,8 @@ std::vector<std::string> early_warnings(const Resolved& model) {
   for (std::size_t k = 0; k < model.plies(); ++k)
     for (const std::string& note : model.of_ply(k).outline.notes) lines.push_back(name_before(model, k) + note);
   for (const Tool& tool : model.tools) add(tool.notes);
+  for (std::size_t k = 0; k < model.plies(); ++k)
+    for (const std::string& line : missed_lines(model.of_ply(k).scene)) lines.push_back(name_before(model, k) + line);
   add(tools_out_of_reach(model.scene, model.mesh, model.tools));
   return lines;
 }

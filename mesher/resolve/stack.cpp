@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "mesher/automatic/take.hpp"
 #include "mesher/drape/drape.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/stack.hpp"
@@ -209,7 +210,12 @@ void resolve_stack(Resolved& model, Findings& found, const ResolveChecks& checks
   for (std::size_t k = 0; k < model.scene.ply.size(); ++k) {
     Resolved& ply = model.ply.emplace_back();
     ply.scene = scene_of_ply(model.scene, k);
-    const bool read = found.attempt([&] { of_ply(model, k, [&] { read_ply(ply); }); });
+    const bool read = found.attempt([&] {
+      of_ply(model, k, [&] {
+        read_ply(ply);
+        take_what_is_open(model.scene, k, ply.scene, ply.card, ply.outline);
+      });
+    });
     if (read && checks.of_card) found.attempt([&] { of_ply(model, k, [&] { checks.of_card(ply.scene, ply.card); }); });
     whole = whole && read;
   }

@@ -55,12 +55,13 @@ const std::vector<Key<BlankSpec>>& blank_keys() {
                                    .unit = "deg",
                                    .limits = between(-360, 360),
                                    .doc = "from the blank's x axis to the warp direction, counter-clockwise"}),
-      key<&BlankSpec::coarsening>({.name = "coarsening",
-                                   .unit = "1",
-                                   .limits = between(0.05, 100),
-                                   .one_for_all = true,
-                                   .doc = "yarns per model yarn, for warp and for weft yarns; one number serves both; "
-                                          "below 1 refines"}),
+      key_or_auto<&BlankSpec::coarsening, &BlankSpec::coarsening_open>(
+          {.name = "coarsening",
+           .unit = "1",
+           .limits = between(0.05, 100),
+           .one_for_all = true,
+           .doc = "yarns per model yarn, for warp and for weft yarns; one number serves both; "
+                  "below 1 refines; auto: as coarse as `[accuracy]` allows (docs/automatic.md)"}),
       key<&BlankSpec::phase>({.name = "phase",
                               .unit = "1",
                               .limits = between(-1, 1),

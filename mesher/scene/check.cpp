@@ -151,17 +151,19 @@ void check_model(const ModelSpec& model, const toml::table& table, Complaints& c
     if (given && !served)
       complaints.add(place_of(table, key), fmt::format("'{}' is of no use here; it needs {}", key, what));
   };
-  needs(model.yarn_bending.has_value(), "yarn_bending", model.yarn == YarnElement::beam, "yarn = \"beam\"");
-  needs(model.cell_bending.has_value(), "cell_bending", model.cell != CellElement::membrane,
-        "cell = \"rotation-free\" or \"shell\"");
-  needs(model.bending_friction.has_value(), "bending_friction",
-        model.cell != CellElement::membrane || model.yarn == YarnElement::beam,
+  // elements that are left open are taken so that they serve (mesher/automatic/elements.cpp)
+  const bool beam = model.yarn_open || model.yarn == YarnElement::beam;
+  const bool bending_cell = model.cell_open || model.cell != CellElement::membrane;
+  needs(model.yarn_bending.has_value(), "yarn_bending", beam, "yarn = \"beam\"");
+  needs(model.cell_bending.has_value(), "cell_bending", bending_cell, "cell = \"rotation-free\" or \"shell\"");
+  needs(model.bending_friction.has_value(), "bending_friction", bending_cell || beam,
         "yarn = \"beam\", or cell = \"rotation-free\" or \"shell\"");
   if (model.bending_friction && (*model.bending_friction)[0] > 0.0 && !((*model.bending_friction)[1] > 0.0))
     complaints.add(place_of(table, "bending_friction"),
                    "'bending_friction' has a rise of 0; give the curvature (1/mm) over which friction rises");
-  needs(model.transverse_shear.has_value(), "transverse_shear", model.cell == CellElement::shell, "cell = \"shell\"");
-  if (model.partner != SeatbeltPartner::none && model.yarn != YarnElement::seatbelt) {
+  needs(model.transverse_shear.has_value(), "transverse_shear", model.cell_open || model.cell == CellElement::shell,
+        "cell = \"shell\"");
+  if (model.partner != SeatbeltPartner::none && !model.yarn_open && model.yarn != YarnElement::seatbelt) {
     complaints.add(place_of(table, "partner"),
                    fmt::format("'partner' is '{}', but yarn = '{}' carries compression itself; set yarn = \"seatbelt\" "
                                "or leave 'partner' out",

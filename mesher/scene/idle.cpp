@@ -8,6 +8,7 @@
 
 #include "core/vector/vector.hpp"
 #include "mesher/scene/grip_direction.hpp"
+#include "mesher/scene/taken.hpp"
 
 namespace weaveform {
 namespace {
@@ -93,6 +94,10 @@ std::vector<std::string> idle_parts(const Scene& scene) {
   std::vector<std::string> found;
   look_at_grips(scene, found);
   look_at_loads(scene, found);
+  if (scene.accuracy && scene.taken.empty() && !leaves_open(scene))
+    found.emplace_back(
+        "[accuracy] decides nothing: mesh and elements are given; set blank.coarsening, model.yarn or model.cell to "
+        "\"auto\", or leave it out");
   return found;
 }
 

@@ -9,7 +9,7 @@
 namespace weaveform {
 
 // One line each, in the words of a warning: nothing moves and nothing pulls; a grip whose travel is along what it
-// leaves free, or that holds nothing; fabric that nothing holds and weight pulls; a weight far from Earth's.
+// leaves free, or that holds nothing; fabric that nothing holds and weight pulls; a weight far from Earth's; [accuracy] where nothing is open.
 [[nodiscard]] std::vector<std::string> idle_parts(const Scene& scene);
 
 }  // namespace weaveform

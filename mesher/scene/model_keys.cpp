@@ -5,20 +5,21 @@ namespace weaveform {
 
 const std::vector<Key<ModelSpec>>& model_keys() {
   static const std::vector<Key<ModelSpec>> keys = {
-      key<&ModelSpec::yarn>({.name = "yarn",
-                             .doc =
-                                 "element of the yarns: `truss` (the paper's T3D2); `beam` (B31): adds flexural "
-                                 "stiffness along each continuous yarn, crossings stay pinned; `seatbelt` carries no "
-                                 "compression (the paper's LS-DYNA element)"}),
+      key_or_auto<&ModelSpec::yarn, &ModelSpec::yarn_open>(
+          {.name = "yarn",
+           .doc = "element of the yarns: `truss` (the paper's T3D2); `beam` (B31): adds flexural "
+                  "stiffness along each continuous yarn, crossings stay pinned; `seatbelt` carries no "
+                  "compression (the paper's LS-DYNA element); `auto`: the cheapest that serves "
+                  "(docs/automatic.md)"}),
       key<&ModelSpec::partner>({.name = "partner",
                                 .doc = "`compression`: beside every seatbelt an element that carries the card's "
                                        "`compression` law and no tension"}),
-      key<&ModelSpec::cell>(
+      key_or_auto<&ModelSpec::cell, &ModelSpec::cell_open>(
           {.name = "cell",
            .doc =
                "element of the shear cells: `membrane` (the paper's M3D4R); `rotation-free`: adds bending along warp "
                "and weft and twist from the lattice's curvatures; `shell` (S4R): the same with rotational unknowns "
-               "and transverse shear"}),
+               "and transverse shear; `auto`: the cheapest that serves (docs/automatic.md)"}),
       key<&ModelSpec::formulation>({.name = "formulation",
                                     .doc = "shear force of a cell: gradient of a stored energy, or the paper's stress "
                                            "(Eq. 9) taken whole; equal for inextensible yarns. For comparison: the "

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesher/scene/taken.hpp"
+
 namespace weaveform {
 
 Scene scene_of_ply(const Scene& scene, std::size_t number) {
@@ -14,6 +16,7 @@ Scene scene_of_ply(const Scene& scene, std::size_t number) {
   own.blank.position = ply.position.value_or(scene.blank.position);
   own.model = ply.model;
   own.model.symmetry = scene.model.symmetry;
+  own.taken = taken_of_ply(scene.taken, ply.name);
   std::erase_if(own.grip, [&](const GripSpec& grip) {
     return !grip.plies.empty() && std::find(grip.plies.begin(), grip.plies.end(), ply.name) == grip.plies.end();
   });

@@ -10,6 +10,7 @@
 #include "mesher/scene/check.hpp"
 #include "mesher/scene/overrides.hpp"
 #include "mesher/scene/schema.hpp"
+#include "mesher/scene/taken.hpp"
 #include "mesher/tools/tool.hpp"
 
 namespace weaveform {
@@ -44,6 +45,7 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
   }
   check_scene(scene, root, complaints);
   complaints.throw_if_any();
+  drop_overruled(scene);
   return scene;
 }
 

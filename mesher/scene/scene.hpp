@@ -25,6 +25,7 @@ struct BlankSpec {
   std::array<double, 2> size = {115.0, 230.0};  // mm; extent along the blank's own x and y axes
   double yarn_angle = 45.0;                     // deg; from the blank's x axis to the warp direction, counter-clockwise
   std::array<double, 2> coarsening = {1.0, 1.0};  // yarns per model yarn, for warp and for weft yarns
+  bool coarsening_open = false;                   // "auto": the program takes it (mesher/automatic)
   std::array<double, 2> phase = {
       0.0, 0.0};  // intervals; shift of the warp and weft lines; 0 puts a crossing at the blank's centre
   std::vector<std::vector<double>> corners;      // mm; of a polygon, [x, y] each, blank frame
@@ -41,8 +42,10 @@ struct BlankSpec {
 
 struct ModelSpec {
   YarnElement yarn = YarnElement::truss;
+  bool yarn_open = false;                           // "auto": the program takes it, as `cell` (mesher/automatic)
   SeatbeltPartner partner = SeatbeltPartner::none;  // beside a seatbelt: an element that carries compression only
   CellElement cell = CellElement::membrane;
+  bool cell_open = false;
   Formulation formulation = Formulation::energy;
   Thickness thickness = Thickness::constant_volume;
   ContactThickness contact_thickness = ContactThickness::card;
@@ -203,6 +206,22 @@ struct MeasureSpec {
   bool operator==(const MeasureSpec&) const = default;
 };
 
+// What is wanted of the answers, where something is left to the program.
+struct AccuracySpec {
+  double force = 0.02;  // 1; of a load
+  double angle = 1.0;   // deg; of a shear angle over 20 mm or so
+  bool operator==(const AccuracySpec&) const = default;
+};
+
+// A value that the program took where the scene left it open, as long as the scene has that value.
+struct TakenSpec {
+  std::string key;     // "blank.coarsening", "ply.upper.cell", "analysis.duration"
+  std::string value;   // as in the file
+  std::string why;     // one line
+  std::string missed;  // what was wanted and is not reached with it; "" when all is
+  bool operator==(const TakenSpec&) const = default;
+};
+
 struct Scene {
   std::string file;  // where it was read from; "" when built in code
   FabricSpec fabric;
@@ -217,6 +236,8 @@ struct Scene {
   AnalysisSpec analysis;
   OutputSpec output;
   std::vector<MeasureSpec> measure;
+  std::optional<AccuracySpec> accuracy;  // none: its defaults, where anything is open
+  std::vector<TakenSpec> taken;          // written by the program (taken.hpp)
   bool operator==(const Scene&) const = default;
 };
 

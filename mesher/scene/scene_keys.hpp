@@ -21,5 +21,7 @@ namespace weaveform {
 [[nodiscard]] const std::vector<Key<FrameSpec>>& frame_keys();
 [[nodiscard]] const std::vector<Key<OutputSpec>>& output_keys();
 [[nodiscard]] const std::vector<Key<MeasureSpec>>& measure_keys();
+[[nodiscard]] const std::vector<Key<AccuracySpec>>& accuracy_keys();
+[[nodiscard]] const std::vector<Key<TakenSpec>>& taken_keys();
 
 }  // namespace weaveform

@@ -122,13 +122,16 @@ void leave_behind(const toml::table& table, PlySpec& ply) {
     if (taken_over("outline_layers")) blank.outline_layers.clear();
   }
   ModelSpec& model = ply.model;
-  if (model.yarn != YarnElement::seatbelt && taken_over("partner")) model.partner = SeatbeltPartner::none;
-  if (model.yarn != YarnElement::beam && taken_over("yarn_bending")) model.yarn_bending.reset();
+  const bool beam = model.yarn_open || model.yarn == YarnElement::beam;  // or may come to be one
+  const bool bending_cell = model.cell_open || model.cell != CellElement::membrane;
+  if (!model.yarn_open && model.yarn != YarnElement::seatbelt && taken_over("partner"))
+    model.partner = SeatbeltPartner::none;
+  if (!beam && taken_over("yarn_bending")) model.yarn_bending.reset();
   if (!carries_compression(model) && taken_over("compression_modulus")) model.compression_modulus.reset();
-  if (model.cell == CellElement::membrane && taken_over("cell_bending")) model.cell_bending.reset();
-  if (model.cell == CellElement::membrane && model.yarn != YarnElement::beam && taken_over("bending_friction"))
-    model.bending_friction.reset();
-  if (model.cell != CellElement::shell && taken_over("transverse_shear")) model.transverse_shear.reset();
+  if (!bending_cell && taken_over("cell_bending")) model.cell_bending.reset();
+  if (!bending_cell && !beam && taken_over("bending_friction")) model.bending_friction.reset();
+  if (!model.cell_open && model.cell != CellElement::shell && taken_over("transverse_shear"))
+    model.transverse_shear.reset();
   if (model.yarn_law != YarnLaw::slack && taken_over("slack")) model.slack.reset();
 }
 
@@ -219,6 +222,12 @@ const std::vector<SceneTable>& scene_tables() {
       one_table<&Scene::output>("output", output_keys(), "What is written."),
       many_tables<&Scene::measure>("measure", measure_keys(),
                                    "A patch of cells whose mean shear angle is recorded; as many as needed."),
+      optional_table<&Scene::accuracy>("accuracy", accuracy_keys(),
+                                       "What is wanted of the answers, where `blank.coarsening`, `model.yarn` or "
+                                       "`model.cell` is `\"auto\"` (docs/automatic.md)."),
+      many_tables<&Scene::taken>("taken", taken_keys(),
+                                 "Written by the program into a folder's scene: what it took where the scene left that "
+                                 "to it, and why. An entry whose key has another value is passed over."),
   };
   return tables;
 }

@@ -93,6 +93,20 @@ Json folds_json(const Folds& folds) {
           {"zigzag_share", folds.zigzag_share}};
 }
 
+Json taken_json(const std::vector<TakenSummary>& taken) {
+  Json list = Json::array();
+  for (const TakenSummary& one : taken) {
+    Json entry = {{"key", one.taken.key}, {"value", one.taken.value}, {"why", one.taken.why}};
+    if (!one.taken.missed.empty()) entry["missed"] = one.taken.missed;
+    if (!one.assumed.empty()) {
+      entry["assumed"] = one.assumed;
+      entry["held"] = one.held;
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 Json ply_json(const PlySummary& ply) {
   Json json = {{"material", ply.material},
                {"cells", ply.cells},
@@ -176,6 +190,7 @@ Json summary_json(const Summary& summary) {
     json["wrinkles"] = waves_json(summary.waves);
   else
     add_plies(summary, json);
+  if (!summary.taken.empty()) json["taken"] = taken_json(summary.taken);
   json["warnings"] = summary.warning;
   return json;
 }

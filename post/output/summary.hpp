@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/scene/scene.hpp"
 #include "post/forming/forming.hpp"
 #include "post/measure/bias_comparison.hpp"
 #include "post/measure/folds.hpp"
@@ -52,6 +53,13 @@ struct PlySummary {
   Waves waves;
 };
 
+// What was left to the program, and whether what it took that for came true.
+struct TakenSummary {
+  TakenSpec taken;
+  std::string assumed;  // "" where there is nothing to be seen of it at the end
+  bool held = true;
+};
+
 struct Summary {
   SolveStatistics statistics;
   std::vector<GripSummary> grip;
@@ -63,6 +71,7 @@ struct Summary {
   std::optional<Folds> folds;            // when it has none
   Waves waves;
   std::vector<PlySummary> ply;       // of a stack, which has forming, folds and waves here
+  std::vector<TakenSummary> taken;   // in the order of the scene's record
   std::vector<std::string> warning;  // what the run says against itself (post/trust/warnings.hpp)
 };
 
@@ -75,7 +84,9 @@ struct Summary {
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
 // "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
 // shear frame "frame"; for a scene with tools "forming", for one without "folds"; "wrinkles" (post/forming/waves.hpp); of
-// a stack these in "plies" by name, and "pairs" by "LOWER/UPPER", what plies did to each other; "warnings", a list of lines.
+// a stack these in "plies" by name, and "pairs" by "LOWER/UPPER", what plies did to each other; "taken", what the program
+// took where the scene left that to it: "key", "value", "why", where they are "missed" (what was wanted and is not
+// reached), "assumed" and "held"; "warnings", a list of lines.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Summary& summary);
 // That document as a file. Throws FileError.
 void write_summary(const Summary& summary, const std::filesystem::path& file);

@@ -16,11 +16,15 @@ constexpr double usual_share = 0.02;
 
 }  // namespace
 
+double greatest_inertia(const Scene& scene) {
+  return scene.analysis.inertia.value_or(usual_share);
+}
+
 void warn_of_fast_loading(const FinishedRun& run, Warnings& warnings) {
   if (run.history.index("kinetic_energy_mJ") < 0) return;  // a history that another program wrote
   const SolveStatistics& solved = run.summary.statistics;
   const InertiaShare inertia = inertia_share(run.scene, run.history, solved.damping_per_s);
-  const double share = std::abs(inertia.share), greatest_share = run.scene.analysis.inertia.value_or(usual_share);
+  const double share = std::abs(inertia.share), greatest_share = greatest_inertia(run.scene);
   if (share <= greatest_share) return;
   warnings.push_back(fmt::format(
       "inertia and damping are {:.2g} % of the loads between {:.4g} and {:.4g} s (limit {:.2g} %): they go with the "

@@ -10,13 +10,13 @@
 #include "post/trust/borders.hpp"
 
 namespace weaveform {
-namespace {
 
-// Between tools a wrinkle, without them a zigzag from cell to cell; either stands off by a thickness at least.
 double folded_share(const Summary& summary) {
   if (summary.forming) return summary.forming->wrinkles.area_share;
   return summary.folds ? summary.folds->zigzag_share : 0.0;
 }
+
+namespace {
 
 // With bending a wave has a length of its own, which the mesh must be able to show (post/forming/waves.hpp).
 void warn_of_short_waves(const FinishedRun& run, Warnings& warnings) {

@@ -13,14 +13,21 @@ struct Border {
 };
 
 // In the order in which they are said.
-constexpr std::array borders = {
-    Border{warn_of_bias_extension_mesh, WarningsOf::one_ply}, Border{warn_of_coarse_on_tools, WarningsOf::one_ply},
-    Border{warn_of_fast_loading, WarningsOf::whole_run},      Border{warn_of_unrest, WarningsOf::whole_run},
-    Border{warn_of_folds_of_the_mesh, WarningsOf::one_ply},   Border{warn_of_unsteady_tools, WarningsOf::whole_run},
-    Border{warn_of_compressed_yarns, WarningsOf::one_ply},    Border{warn_of_energy_error, WarningsOf::whole_run},
-    Border{warn_of_folded_cells, WarningsOf::whole_run},      Border{warn_of_formulation, WarningsOf::one_ply},
-    Border{warn_of_idle_scene, WarningsOf::whole_run},        Border{warn_of_idle_tools, WarningsOf::whole_run},
-    Border{warn_of_stretch_beyond_card, WarningsOf::one_ply}, Border{warn_of_shear_beyond_card, WarningsOf::one_ply}};
+constexpr std::array borders = {Border{warn_of_bias_extension_mesh, WarningsOf::one_ply},
+                                Border{warn_of_coarse_on_tools, WarningsOf::one_ply},
+                                Border{warn_of_missed_accuracy, WarningsOf::one_ply},
+                                Border{warn_of_fast_loading, WarningsOf::whole_run},
+                                Border{warn_of_unrest, WarningsOf::whole_run},
+                                Border{warn_of_folds_of_the_mesh, WarningsOf::one_ply},
+                                Border{warn_of_unsteady_tools, WarningsOf::whole_run},
+                                Border{warn_of_compressed_yarns, WarningsOf::one_ply},
+                                Border{warn_of_energy_error, WarningsOf::whole_run},
+                                Border{warn_of_folded_cells, WarningsOf::whole_run},
+                                Border{warn_of_formulation, WarningsOf::one_ply},
+                                Border{warn_of_idle_scene, WarningsOf::whole_run},
+                                Border{warn_of_idle_tools, WarningsOf::whole_run},
+                                Border{warn_of_stretch_beyond_card, WarningsOf::one_ply},
+                                Border{warn_of_shear_beyond_card, WarningsOf::one_ply}};
 
 }  // namespace
 

@@ -40,7 +40,8 @@ IdentityItem file_item(const std::string& what, const fs::path& file) {
 Identity scene_identity(const Scene& scene) {
   Identity identity;
   for (auto& [key, value] : scene_values(scene))
-    if (!is_place(key) && std::find(free_keys.begin(), free_keys.end(), key) == free_keys.end())
+    if (!is_place(key) && !key.starts_with("taken.") &&
+        std::find(free_keys.begin(), free_keys.end(), key) == free_keys.end())
       identity.push_back({key, value});
   return identity;
 }

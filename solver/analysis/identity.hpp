@@ -18,7 +18,8 @@ struct IdentityItem {
 using Identity = std::vector<IdentityItem>;
 
 // Of a run of `program` (its version line). Keys that change no bit of the history (output.contour_step,
-// output.checkpoint_minutes, analysis.energy_limit) and the places of files are left out. Of a tool's file the
+// output.checkpoint_minutes, analysis.energy_limit), the record of what was taken (its values are the scene's) and the
+// places of files are left out. Of a tool's file the
 // triangles count as well, for it may take in others or be meshed in another way. A tool's or outline's file that is
 // not there counts as unknown. Throws FileError.
 [[nodiscard]] Identity identity_of(const Resolved& model, const std::string& program);

@@ -7,6 +7,7 @@
 #include "mesher/resolve/resolve.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/scene/scene_copy.hpp"
+#include "mesher/scene/taken.hpp"
 #include "solver/result/file_names.hpp"
 
 namespace weaveform {
@@ -29,6 +30,11 @@ fs::path present(const fs::path& directory, const char* name, const char* made_b
 
 const Scene& ResultFolder::scene() {
   if (!has_scene_) model_.scene = read_scene(present(directory_, file_name::scene, by_meshing));
+  if (leaves_open(model_.scene))
+    throw InputError(
+        fmt::format("{}: mesh or elements are \"auto\", and its mesh was made of one choice of them; make it "
+                    "again with 'weaveform mesh'",
+                    model_.scene.file));
   has_scene_ = true;
   return model_.scene;
 }

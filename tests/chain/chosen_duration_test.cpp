@@ -88,7 +88,7 @@ TEST_F(ChosenDuration, IsTheSameEachTimeAndStandsInTheFoldersScene) {
   EXPECT_EQ(once->duration, again->duration);
   const auto made = test::run_command("weaveform mesh scene.toml --output out", folder.path());
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_NE(made.err.find(fmt::format("duration {:g} s, at which inertia is", once->duration)), std::string::npos)
+  EXPECT_NE(made.err.find(fmt::format("analysis.duration = {:g}: inertia is", once->duration)), std::string::npos)
       << made.err;
   const Scene copy = read_scene((folder.path() / "out/scene.toml").string());
   EXPECT_EQ(copy.analysis.duration, once->duration);

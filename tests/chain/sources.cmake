@@ -2,6 +2,7 @@ set(CHAIN_SOURCES
   support/run_command.cpp
   chain/plan_test.cpp
   chain/read_back_test.cpp
+  chain/automatic_test.cpp
   chain/bias_extension_test.cpp
   chain/calculix_fibres_test.cpp
   chain/calculix_test.cpp

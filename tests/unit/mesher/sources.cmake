@@ -1,4 +1,6 @@
 set(UNIT_MESHER_SOURCES
+  unit/mesher/automatic/bends_test.cpp
+  unit/mesher/automatic/take_test.cpp
   unit/mesher/drape/drape_test.cpp
   unit/mesher/exchange/export_columns_test.cpp
   unit/mesher/exchange/export_decks_test.cpp

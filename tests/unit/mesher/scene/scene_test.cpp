@@ -94,6 +94,8 @@ Scene unusual_scene() {
                  .modulus = 1e5,
                  .density = 1e-9,
                  .mass_scale = 0.5};
+  scene.accuracy = {.force = 0.03, .angle = 2.5};
+  scene.taken = {{"blank.coarsening", "[0.5, 2.25]", "a \"reason\"", "something"}};
   scene.output = {.frames = 3, .history = 17, .contour_step = 2.5};
   scene.measure = {{.name = "a", .box = {{-1, -1, 1, 1}}, .relative_box = {}},
                    {.name = "b", .box = {}, .relative_box = {{-0.1, -0.1, 0.1, 0.1}}}};
@@ -112,6 +114,16 @@ TEST(Scene, EchoReadsBackToTheSameBits) {
   for (const Scene& scene : {plain, unusual_scene()}) {
     EXPECT_EQ(read_scene_text(scene_to_toml(scene), "s.toml"), scene) << scene_to_toml(scene);
   }
+}
+
+TEST(Scene, OpenKeysAreEchoedAsAuto) {
+  const std::string text = "[blank]\ncoarsening = \"auto\"\n[model]\nyarn = \"auto\"\ncell = \"auto\"\n";
+  const Scene scene = read_scene_text(text, "s.toml");
+  EXPECT_TRUE(scene.blank.coarsening_open && scene.model.yarn_open && scene.model.cell_open);
+  EXPECT_EQ(read_scene_text(scene_to_toml(scene), "s.toml"), scene) << scene_to_toml(scene);
+  const Scene given = read_scene_text(text, "s.toml", {"blank.coarsening=3", "model.yarn=beam", "model.cell=shell"});
+  EXPECT_FALSE(given.blank.coarsening_open || given.model.yarn_open || given.model.cell_open);
+  EXPECT_EQ(given.blank.coarsening, (std::array<double, 2>{3.0, 3.0}));
 }
 
 TEST(Scene, EchoHoldsADrawingsUnitAndLayers) {
