@@ -98,12 +98,12 @@ bool Analysis::step_on() {
 
 void Analysis::renew_forces() {
   world_.compute_forces();
-  if (world_.passes_reach() && !world_.moves_in_one_pass()) renew_step();
+  if (world_.passes_reach()) renew_step();
 }
 
 // Whether the next step is one that nobody looks at: forces and motion may then be one pass.
 bool Analysis::goes_on_plainly() const {
-  return world_.moves_in_one_pass() && world_.steps() % check_interval != 0 && !world_.finished() &&
+  return world_.moves_in_one_pass() && world_.is_calm() && world_.steps() % check_interval != 0 && !world_.finished() &&
          !outputs_.due(world_.time()) && !checkpoint_due() &&
          !(options_.most_steps > 0 && world_.steps() + 1 >= options_.most_steps);
 }
@@ -114,7 +114,7 @@ void Analysis::pass_on() {
   world_.compute_forces_and_advance();
   outputs_.record_forces(world_, time);
   outputs_.append_rows();
-  if (world_.passes_reach()) renew_step();
+  if (world_.passes_reach() || world_.passed_reach()) renew_step();
 }
 
 SolveResult Analysis::close() {
@@ -196,7 +196,7 @@ void Analysis::step(bool last) {
   const double time = world_.time();
   world_.advance(last);
   outputs_.record_forces(world_, time);
-  if (!last && world_.moves_in_one_pass() && world_.passed_reach()) renew_step();
+  if (!last && world_.passed_reach()) renew_step();
 }
 
 void Analysis::close_outputs() {

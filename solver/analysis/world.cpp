@@ -15,6 +15,7 @@ namespace {
 // quarter of it.
 constexpr std::int64_t settling_steps = 500;
 constexpr double settling_share = 0.25;
+constexpr std::int64_t calm_steps = 10;    // without a yarn beyond what the step allows
 constexpr double least_step_share = 1e-4;  // of the plies' own at the start: a run of a shorter one has no end
 
 // What contact with other plies means for a ply's stable step.
@@ -149,9 +150,15 @@ std::string World::endless_run() const {
 }
 
 bool World::passes_reach() {
-  bool passes = ply_contact_ && ply_contact_->passes_bound();
-  for (auto& ply : plies_) passes = ply->passes_reach() || passes;  // each notes its strains
-  return passes;
+  const bool was_calm = is_calm();
+  bool yarns_pass = false;
+  for (auto& ply : plies_) yarns_pass = ply->passes_reach() || yarns_pass;  // each notes its strains
+  calm_for_ = yarns_pass ? 0 : std::min(calm_for_ + 1, calm_steps);
+  return (yarns_pass && !was_calm) || (ply_contact_ && ply_contact_->passes_bound());
+}
+
+bool World::is_calm() const {
+  return calm_for_ >= calm_steps;
 }
 
 bool World::passed_reach() const {
@@ -240,6 +247,7 @@ void World::archive(Archive& archive) {
   archive.number("a step's length", smallest_step_, {.least = std::numeric_limits<double>::min()});
   archive.text("what set the step", step_set_by_);
   archive.number("a viscous time", viscous_time_, not_negative);
+  archive.count("a number of calm steps", calm_for_, 0, calm_steps);
   for (double* energy : {&balance_.internal, &balance_.kinetic, &balance_.damping, &balance_.external,
                          &balance_.bending, &balance_.hourglass, &balance_.start, &balance_.greatest})
     archive.number("an energy", *energy);

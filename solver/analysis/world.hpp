@@ -74,10 +74,13 @@ public:
   [[nodiscard]] double step() const { return step_; }                    // s; the next
   [[nodiscard]] double smallest_step() const { return smallest_step_; }  // s; so far
   [[nodiscard]] const std::string& step_set_by() const { return step_set_by_; }
-  // Whether yarns come to strains beyond what the step allows, or plies to press each other that had not: it must be
-  // renewed at once, or where all moves in one pass, after the motion: what is looked at lies further ahead.
+  // Whether the step must be renewed at once, for yarns come to strains beyond what it allows, or plies press each other
+  // that had not. Once after every computation of forces.
   [[nodiscard]] bool passes_reach();
-  // Whether any call since the step was renewed said so of the yarns.
+  // While yarns have kept to what is allowed for some steps (while they snap, one step after another is too long for the
+  // next) their first strain beyond may wait for the end of the motion, for it lies two steps ahead: forces and motion
+  // can then be one pass. Whether it must be renewed then.
+  [[nodiscard]] bool is_calm() const;
   [[nodiscard]] bool passed_reach() const;
 
   // One step with the forces at hand; energies and grip forces are then known for its beginning. With `last` the clock
@@ -121,6 +124,7 @@ private:
   double step_ = 0.0, step_before_ = 0.0, smallest_step_ = 0.0;  // s
   double viscous_time_ = 0.0;                                    // s; beta of yarn.hpp
   std::string step_set_by_;
+  std::int64_t calm_for_ = 0;  // steps since yarns were beyond what was allowed
   EnergyBalance balance_;
 };
 

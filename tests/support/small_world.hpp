@@ -36,6 +36,7 @@ public:
     for (int n = 0; n < steps && !world_.finished(); ++n) {
       if (world_.steps() % 500 == 0 && world_.steps() > 0) world_.renew_step();
       world_.advance(false);
+      if (world_.passed_reach()) world_.renew_step();
       world_.compute_forces();
       if (world_.passes_reach()) world_.renew_step();
     }

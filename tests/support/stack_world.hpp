@@ -37,6 +37,7 @@ public:
     const bool looks = world_.steps() % 1000 == 0 && world_.steps() > 0;
     if (looks) world_.look_at_stored_energy();
     world_.advance(false);
+    if (world_.passed_reach()) world_.renew_step();
     if (looks) {
       world_.note_greatest_energy();
       error_ = std::max(error_, world_.balance().error());
