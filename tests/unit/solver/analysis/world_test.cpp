@@ -70,8 +70,12 @@ TEST(World, OnePassGivesTheBitsOfForcesAndThenMotion) {
         at_once->start();
         ASSERT_TRUE(at_once->moves_in_one_pass());
         at_once->advance(false);
-        for (int n = 1; n < 60; ++n) at_once->compute_forces_and_advance();
+        for (int n = 1; n < 60; ++n) {
+          at_once->compute_forces_and_advance();
+          EXPECT_FALSE(at_once->passes_reach());
+        }
         at_once->compute_forces();
+        EXPECT_FALSE(at_once->passes_reach());
         EXPECT_EQ(state_digest(*at_once), state_digest(*in_turn)) << yarn_angle << " deg, " << threads << " threads";
       }
     }
