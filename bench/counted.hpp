@@ -42,7 +42,7 @@ struct Counted {
 
 template <>
 struct RealOf<Counted> {
-  using type = double;
+  using Type = double;
 };
 
 // What element bodies ask of a number type beside its operators (lanes.hpp, inverse_root.hpp).

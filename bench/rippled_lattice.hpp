@@ -38,7 +38,7 @@ struct RippledLattice {
   }
 
   // As the analysis makes it.
-  void make_step(double step) {
+  void make_step(double step) const {
     if (ply->moves_in_one_pass()) return ply->compute_forces_and_advance(step, step);
     ply->compute_forces(step);
     ply->advance(step, step, false);

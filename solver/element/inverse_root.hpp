@@ -33,7 +33,7 @@ template <int parts>
 }
 template <int parts>
 [[gnu::always_inline]] inline Pack<parts> estimate_inverse_root(const Pack<parts>& x) {
-  using ShortBits = VectorOf<std::int32_t, native_width>::type;
+  using ShortBits = VectorOf<std::int32_t, native_width>::Type;
   ShortVector f[parts], r[parts];
   WEAVEFORM_FOR_PARTS(f[i] = narrowed(x.part[i]))
   WEAVEFORM_FOR_PARTS(r[i] = std::bit_cast<ShortVector>(half_exponent - (std::bit_cast<ShortBits>(f[i]) >> 1)))

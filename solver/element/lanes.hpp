@@ -32,10 +32,10 @@ inline constexpr int native_width = 2;
 
 template <class Number, int width>
 struct VectorOf {
-  using type __attribute__((vector_size(width * sizeof(Number)))) = Number;
+  using Type __attribute__((vector_size(width * sizeof(Number)))) = Number;
 };
-using Vector = VectorOf<double, native_width>::type;
-using ShortVector = VectorOf<float, native_width>::type;  // a vector's numbers in single precision: half of one
+using Vector = VectorOf<double, native_width>::Type;
+using ShortVector = VectorOf<float, native_width>::Type;  // a vector's numbers in single precision: half of one
 using AnyVector =
     double __attribute__((vector_size(native_width * sizeof(double)), aligned(sizeof(double)), may_alias));
 using AnyShortVector =
@@ -55,9 +55,9 @@ struct Native<float> {
   using Whole = std::int32_t;
 };
 template <class Real>
-using NativeVector = typename VectorOf<Real, Native<Real>::width>::type;
+using NativeVector = typename VectorOf<Real, Native<Real>::width>::Type;
 template <class Real>
-using NativeBits = typename VectorOf<typename Native<Real>::Whole, Native<Real>::width>::type;
+using NativeBits = typename VectorOf<typename Native<Real>::Whole, Native<Real>::width>::Type;
 
 template <int parts, class RealNumber = double>
 struct Pack {
@@ -78,27 +78,27 @@ using PackOf = Pack<halves / Native<Real>::halves, Real>;
 
 template <class T>
 struct RealOf {
-  using type = T;
+  using Type = T;
 };
 template <int parts, class Real>
 struct RealOf<Pack<parts, Real>> {
-  using type = Real;
+  using Type = Real;
 };
 // double or float: what T is of
 template <class T>
-using Real = typename RealOf<T>::type;
+using Real = typename RealOf<T>::Type;
 
 // The same numbers in double precision.
 template <class T>
 struct WideOf {
-  using type = T;
+  using Type = T;
 };
 template <int parts>
 struct WideOf<Pack<parts, float>> {
-  using type = Pack<2 * parts>;
+  using Type = Pack<2 * parts>;
 };
 template <class T>
-using Wide = typename WideOf<T>::type;
+using Wide = typename WideOf<T>::Type;
 
 // Of a pack's numbers; of a comparison's outcome all bits of a number or none.
 template <int parts, class Real>
@@ -122,13 +122,15 @@ struct Bits {
   template <int parts, class Real>                                                                    \
   [[gnu::always_inline]] inline Pack<parts, Real> operator op(const Pack<parts, Real>& a, double b) { \
     Pack<parts, Real> result;                                                                         \
-    WEAVEFORM_FOR_PARTS(result.part[i] = a.part[i] op static_cast<Real>(b))                           \
+    const auto number = static_cast<Real>(b);                                                         \
+    WEAVEFORM_FOR_PARTS(result.part[i] = a.part[i] op number)                                         \
     return result;                                                                                    \
   }                                                                                                   \
   template <int parts, class Real>                                                                    \
   [[gnu::always_inline]] inline Pack<parts, Real> operator op(double a, const Pack<parts, Real>& b) { \
     Pack<parts, Real> result;                                                                         \
-    WEAVEFORM_FOR_PARTS(result.part[i] = static_cast<Real>(a) op b.part[i])                           \
+    const auto number = static_cast<Real>(a);                                                         \
+    WEAVEFORM_FOR_PARTS(result.part[i] = number op b.part[i])                                         \
     return result;                                                                                    \
   }
 WEAVEFORM_PACK_OPERATOR(+)
