@@ -23,8 +23,8 @@ struct PreTension {
   double fabric, frame, travel;  // mm
 };
 
-void PrintTo(const PreTension& given, std::ostream* out) {
-  *out << given.name;
+std::ostream& operator<<(std::ostream& stream, const PreTension& given) {
+  return stream << given.name;
 }
 
 class FrameUnderPreTension : public testing::TestWithParam<PreTension> {};
