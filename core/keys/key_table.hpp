@@ -50,6 +50,7 @@ template <auto member>
 template <auto member, auto open>
 [[nodiscard]] auto key_or_auto(KeyRule rule) {
   using Spec = decltype(detail::owner_of(member));
+  rule.or_auto = true;
   auto row = key<member>(std::move(rule));
   if (row.rule.allowed.empty())
     row.type += " or \"auto\"";

@@ -155,7 +155,8 @@ void complain_type(const toml::node& node, const KeyRule& rule, const std::strin
 
 bool read_numbers(const toml::node& node, const KeyRule& rule, double* value, std::size_t count,
                   Complaints& complaints) {
-  const std::string wanted = fmt::format("{}{} numbers", rule.one_for_all ? "1 or " : "", count);
+  const std::string wanted =
+      fmt::format("{}{} numbers{}", rule.one_for_all ? "1 or " : "", count, rule.or_auto ? " or \"auto\"" : "");
   if (rule.one_for_all && node.is_number()) {
     const auto number = number_of(node, rule, wanted, complaints);
     if (number) std::fill_n(value, count, *number);

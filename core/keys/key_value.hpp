@@ -46,6 +46,7 @@ struct KeyRule {
   std::string false_word = {};            // of a text: the word that a plain false stands for
   bool required = false;
   bool one_for_all = false;  // a single number stands for every number of an array
+  bool or_auto = false;      // somebody else reads "auto"; messages say that it may stand there
   bool identifier = false;  // a letter, then letters, digits, '_' or '-' (names become column headings and --set paths)
   std::string doc = {};
 };

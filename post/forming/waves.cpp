@@ -202,13 +202,7 @@ Waves find_waves(const Mesh& mesh, const YarnCurvatures& curvature, const Wrinkl
     unresolved += wave.cells < least_cells_per_wave ? wave.weight : 0.0;
   }
   waves.unresolved_share = weight > 0.0 ? unresolved / weight : 0.0;
-  const std::vector<double> area = node_areas(mesh);
-  double waved = 0.0, whole = 0.0;
-  for (std::size_t n = 0; n < area.size(); ++n) {
-    whole += area[n];
-    waved += in_wave[n] ? area[n] : 0.0;
-  }
-  waves.area_share = whole > 0.0 ? waved / whole : 0.0;
+  waves.area_share = area_share(mesh, in_wave);
   return waves;
 }
 

@@ -92,16 +92,11 @@ double relief_along(const Mesh& mesh, const YarnPath& path, int node, const std:
 }
 
 void sum_up(const Mesh& mesh, Wrinkles& wrinkles) {
-  const std::vector<double> area = node_areas(mesh);
-  double wrinkled = 0.0, whole = 0.0;
-  for (std::size_t n = 0; n < area.size(); ++n) {
-    whole += area[n];
+  for (std::size_t n = 0; n < wrinkles.wrinkled.size(); ++n) {
     wrinkles.greatest_curvature = std::max(wrinkles.greatest_curvature, wrinkles.curvature[n]);
-    if (!wrinkles.wrinkled[n]) continue;
-    wrinkled += area[n];
-    wrinkles.greatest_relief = std::max(wrinkles.greatest_relief, wrinkles.relief[n]);
+    if (wrinkles.wrinkled[n]) wrinkles.greatest_relief = std::max(wrinkles.greatest_relief, wrinkles.relief[n]);
   }
-  wrinkles.area_share = whole > 0.0 ? wrinkled / whole : 0.0;
+  wrinkles.area_share = area_share(mesh, wrinkles.wrinkled);
 }
 
 }  // namespace
@@ -113,6 +108,16 @@ std::vector<double> node_areas(const Mesh& mesh) {
     for (int a = begin; a < end; ++a) area[mesh.cells.node[a]] += mesh.cells.area[c] / (end - begin);
   }
   return area;
+}
+
+double area_share(const Mesh& mesh, const std::vector<bool>& marked) {
+  const std::vector<double> area = node_areas(mesh);
+  double share = 0.0, whole = 0.0;
+  for (std::size_t n = 0; n < area.size(); ++n) {
+    whole += area[n];
+    share += marked[n] ? area[n] : 0.0;
+  }
+  return whole > 0.0 ? share / whole : 0.0;
 }
 
 double WrinkleLimits::curvature(double thickness) const {

@@ -47,5 +47,7 @@ struct Wrinkles {
 
 // mm2; per node, flat: of each cell in equal parts to its nodes.
 [[nodiscard]] std::vector<double> node_areas(const Mesh& mesh);
+// 1; of the marked nodes.
+[[nodiscard]] double area_share(const Mesh& mesh, const std::vector<bool>& marked);
 
 }  // namespace weaveform

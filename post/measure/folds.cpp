@@ -52,13 +52,7 @@ std::optional<Folds> find_folds(const Scene& scene, const Mesh& mesh, const std:
       if (height > mesh.thickness) zigzags[n] = zigzags[next] = true;
     }
   }
-  const std::vector<double> area = node_areas(mesh);
-  double folded = 0.0, whole = 0.0;
-  for (std::size_t n = 0; n < area.size(); ++n) {
-    whole += area[n];
-    folded += zigzags[n] ? area[n] : 0.0;
-  }
-  folds.zigzag_share = whole > 0.0 ? folded / whole : 0.0;
+  folds.zigzag_share = area_share(mesh, zigzags);
   return folds;
 }
 

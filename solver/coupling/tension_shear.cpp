@@ -4,34 +4,27 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "solver/element/shear_cell.hpp"
+#include "solver/state/shear_levers.hpp"
 
 namespace weaveform {
 namespace {
 
-constexpr double greatest_sine = 1.0 - 1e-12;  // as the cells' own loop has it
-
-struct ShearDirections {
-  double g1[3], g2[3];
-  double inverse1, inverse2;  // 1/|g|
-  double sine;
+struct Directions {
+  double warp[3] = {}, weft[3] = {};
 };
 
 template <int width, class Cells>
-[[gnu::always_inline]] inline ShearDirections directions_of(const Components& x, const Cells& cells, int c) {
-  ShearDirections d{};
+[[gnu::always_inline]] inline Directions directions_of(const Components& x, const Cells& cells, int c) {
+  Directions g;
   for (int a = 0; a < width; ++a) {
     const int n = cells.node[a][c];
     for (int k = 0; k < 3; ++k) {
-      d.g1[k] += cells.warp[a][c] * x[k][n];
-      d.g2[k] += cells.weft[a][c] * x[k][n];
+      g.warp[k] += cells.warp[a][c] * x[k][n];
+      g.weft[k] += cells.weft[a][c] * x[k][n];
     }
   }
-  constexpr double least = 1e-12;  // a cell without area has no directions
-  d.inverse1 = 1.0 / std::sqrt(std::max(least, d.g1[0] * d.g1[0] + d.g1[1] * d.g1[1] + d.g1[2] * d.g1[2]));
-  d.inverse2 = 1.0 / std::sqrt(std::max(least, d.g2[0] * d.g2[0] + d.g2[1] * d.g2[1] + d.g2[2] * d.g2[2]));
-  const double dot = d.g1[0] * d.g2[0] + d.g1[1] * d.g2[1] + d.g1[2] * d.g2[2];
-  d.sine = std::clamp(dot * d.inverse1 * d.inverse2, -greatest_sine, greatest_sine);
-  return d;
+  return g;
 }
 
 // mJ/mm^3; of pull alone.
@@ -106,7 +99,8 @@ void TensionShear::add_cell(const Mesh& mesh, const PackedMesh& packed, int cell
 template <int width>
 void TensionShear::look_at_cells(const State& state, const Cells<width>& cells) {
   for (int c = 0; c < cells.size(); ++c) {
-    const double sine = directions_of<width>(state.position, cells, c).sine;
+    const Directions g = directions_of<width>(state.position, cells, c);
+    const double sine = cell_shear(g.warp, g.weft).sine;
     const auto entry = table_.at(std::abs(sine));
     energy_[cells.first + c] = entry.energy;
     stress_[cells.first + c] = std::copysign(entry.stress, sine);
@@ -151,15 +145,12 @@ void TensionShear::shear_cells(State& state, const Cells<width>& cells) const {
     for (int a = 0; a < width; ++a) tension += cells.part[a][c] * yarns_.tension[cells.yarn[a][c]];
     const double force = cells.volume[c] * lattice_.coupling * tension * stress_[cells.first + c];
     if (force == 0.0) continue;
-    const ShearDirections d = directions_of<width>(state.position, cells, c);
-    double warp[3], weft[3];  // force ds/dg
-    for (int k = 0; k < 3; ++k) {
-      warp[k] = force * (d.g2[k] * d.inverse2 - d.sine * d.g1[k] * d.inverse1) * d.inverse1;
-      weft[k] = force * (d.g1[k] * d.inverse1 - d.sine * d.g2[k] * d.inverse2) * d.inverse2;
-    }
+    const Directions g = directions_of<width>(state.position, cells, c);
+    const CellForce<double> f =
+        sheared_cell_force<Formulation::energy>(cell_shear(g.warp, g.weft), g.warp, g.weft, force);
     for (int a = 0; a < width; ++a) {
       const int n = cells.node[a][c];
-      for (int k = 0; k < 3; ++k) state.force[k][n] -= cells.warp[a][c] * warp[k] + cells.weft[a][c] * weft[k];
+      for (int k = 0; k < 3; ++k) state.force[k][n] -= cells.warp[a][c] * f.warp[k] + cells.weft[a][c] * f.weft[k];
     }
   }
 }
@@ -194,25 +185,11 @@ void TensionShear::archive(Archive& archive) {
 // stiffnesses; that of pressing is added.
 void TensionShear::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabric_frequency*/,
                                        std::vector<double>& bound) const {
-  struct Levers {
-    std::vector<double> of_node;  // 1/mm; r_a, as the cell's entries stand
-    double sum = 0.0, sine = 0.0;
-  };
   const MeshCells& cells = mesh_.cells;
-  std::vector<Levers> lever(cells.size());
+  std::vector<ShearLevers> lever;
   std::vector<double> slope(cells.size(), 0.0), energy(cells.size(), 0.0);
   for (int c = 0; c < cells.size(); ++c) {
-    std::array<Vec3, 2> g = {};
-    for (int entry = cells.offset[c]; entry < cells.offset[c + 1]; ++entry)
-      for (std::size_t f = 0; f < 2; ++f)
-        for (std::size_t k = 0; k < 3; ++k) g[f][k] += cells.coefficient[entry][f] * position[cells.node[entry]][k];
-    const double one = std::sqrt(dot(g[0], g[0])), other = std::sqrt(dot(g[1], g[1]));
-    lever[c].sine = std::clamp(dot(g[0], g[1]) / (one * other), -1.0 + 1e-9, 1.0 - 1e-9);
-    for (int entry = cells.offset[c]; entry < cells.offset[c + 1]; ++entry) {
-      lever[c].of_node.push_back(std::abs(cells.coefficient[entry][0]) / one +
-                                 std::abs(cells.coefficient[entry][1]) / other);
-      lever[c].sum += lever[c].of_node.back();
-    }
+    lever.push_back(shear_levers(cells, c, position));
     const auto at = table_.at(std::abs(lever[c].sine));
     slope[c] = at.stress;
     energy[c] = at.energy;
@@ -243,8 +220,7 @@ void TensionShear::add_stiffness_bound(const std::vector<Vec3>& position, double
     const double curved = volume * lattice_.coupling * pair.part * tension[pair.yarn] *
                           (std::abs(shear_tangent(shear_, log_strain)) + 3.0 * std::abs(slope[c])) * lever[c].sum;
     const double whole = stiffness[pair.yarn] * pair.share * slope[c] * turn[pair.yarn] + curved;
-    for (std::size_t a = 0; a < lever[c].of_node.size(); ++a)
-      bound[cells.node[begin + static_cast<int>(a)]] += whole * lever[c].of_node[a];
+    for (int a = 0; a < cells.offset[c + 1] - begin; ++a) bound[cells.node[begin + a]] += whole * lever[c].of_node[a];
   }
 }
 

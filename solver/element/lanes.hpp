@@ -15,6 +15,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "solver/element/lane_count.hpp"
+
 #pragma GCC diagnostic ignored "-Wpsabi"  // says how packs pass between compilations, which they do not
 
 namespace weaveform {
@@ -67,8 +69,7 @@ struct Pack {
   Real operator[](int lane) const { return part[lane / Native<Real>::width][lane % Native<Real>::width]; }
 };
 
-// Eight numbers, the least that loops take at once.
-inline constexpr int lane_count = 8;
+// The least that loops take at once.
 inline constexpr int parts_of_block = lane_count / native_width;
 using Lanes = Pack<parts_of_block>;
 

@@ -46,12 +46,14 @@ struct KernelShear {
   }
 };
 
-// Sets `square` to sin^2 gamma.
-template <Formulation formulation, Thickness thickness, class Shear, class T>
-[[gnu::always_inline]] inline CellForce<T> shear_cell_force(const Shear& law, const T (&g1)[3], const T (&g2)[3],
-                                                            const T& volume, T& square) {
-  static_assert(formulation == Formulation::energy || formulation == Formulation::contravariant,
-                "the formulations with a history have kernels of their own (incremental_cell.hpp)");
+// How a cell is sheared: |g1|^2, |g2|^2, 1/(|g1| |g2|) and sin gamma.
+template <class T>
+struct CellShear {
+  T square1, square2, inverse, sine;
+};
+
+template <class T>
+[[gnu::always_inline]] inline CellShear<T> cell_shear(const T (&g1)[3], const T (&g2)[3]) {
   // a cell without area, as blocks are filled up with, may have no directions
   constexpr double least = 1e-12;
   const T square1 = at_least<T>(g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2], least);
@@ -61,16 +63,18 @@ template <Formulation formulation, Thickness thickness, class Shear, class T>
   // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the
   // cell.
   constexpr double limit = std::is_same_v<Real<T>, float> ? 1.0 - 6e-8 : 1.0 - 1e-12;
-  const T s = at_least(at_most<T>(dot * inverse, limit), -limit);
-  square = s * s;
-  T force = volume * law.stress(half_log<T>(1.0 + s, 1.0 - s));
-  if constexpr (thickness == Thickness::constant)
-    force = force * ((1.0 - square) * inverse_root<T>(1.0 - square));  // cos gamma
-  const T cross = force * inverse;
+  return {square1, square2, inverse, at_least(at_most<T>(dot * inverse, limit), -limit)};
+}
+
+// Of the volume times the stress, `force` (N mm).
+template <Formulation formulation, class T>
+[[gnu::always_inline]] inline CellForce<T> sheared_cell_force(const CellShear<T>& shear, const T (&g1)[3],
+                                                              const T (&g2)[3], const T& force) {
+  const T cross = force * shear.inverse;
   CellForce<T> result;
   if constexpr (formulation == Formulation::energy) {
-    const T per_area = force * s * (inverse * inverse);  // force * s / square1 / square2
-    const T along1 = per_area * square2, along2 = per_area * square1;
+    const T per_area = force * shear.sine * (shear.inverse * shear.inverse);  // force * s / square1 / square2
+    const T along1 = per_area * shear.square2, along2 = per_area * shear.square1;
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c) {
       result.warp[c] = cross * g2[c] - along1 * g1[c];
@@ -84,6 +88,20 @@ template <Formulation formulation, Thickness thickness, class Shear, class T>
     }
   }
   return result;
+}
+
+// Sets `square` to sin^2 gamma.
+template <Formulation formulation, Thickness thickness, class Shear, class T>
+[[gnu::always_inline]] inline CellForce<T> shear_cell_force(const Shear& law, const T (&g1)[3], const T (&g2)[3],
+                                                            const T& volume, T& square) {
+  static_assert(formulation == Formulation::energy || formulation == Formulation::contravariant,
+                "the formulations with a history have kernels of their own (incremental_cell.hpp)");
+  const CellShear<T> shear = cell_shear(g1, g2);
+  square = shear.sine * shear.sine;
+  T force = volume * law.stress(half_log<T>(1.0 + shear.sine, 1.0 - shear.sine));
+  if constexpr (thickness == Thickness::constant)
+    force = force * ((1.0 - square) * inverse_root<T>(1.0 - square));  // cos gamma
+  return sheared_cell_force<formulation>(shear, g1, g2, force);
 }
 
 }  // namespace weaveform

@@ -1,6 +1,8 @@
 // Compiled once for each instruction set (core/instructions); includes nothing whose inline code other files share.
 #include "solver/lattice/node_loops.hpp"
 
+#include "solver/element/lanes.hpp"
+
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 

@@ -2,7 +2,7 @@
 // each instruction set (core/instructions), as element_loops.hpp is.
 #pragma once
 
-#include "solver/element/lanes.hpp"
+#include "solver/element/lane_count.hpp"
 #include "solver/lattice/slot_blocks.hpp"
 
 namespace weaveform {

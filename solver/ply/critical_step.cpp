@@ -6,6 +6,7 @@
 
 #include "core/vector/eigen_vector.hpp"
 #include "solver/constraint/ties.hpp"
+#include "solver/state/shear_levers.hpp"
 
 namespace weaveform {
 namespace {
@@ -110,27 +111,13 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
   const auto further_at = [&](int n) { return further.empty() ? 0.0 : further[n]; };
   for (int c = 0; c < mesh_.cells.size(); ++c) {
     const int begin = mesh_.cells.offset[c], end = mesh_.cells.offset[c + 1];
-    Vector3d g1 = Vector3d::Zero(), g2 = Vector3d::Zero();
-    for (int a = begin; a < end; ++a) {
-      const Vector3d x = vector_of(position[mesh_.cells.node[a]]);
-      g1 += mesh_.cells.coefficient[a][0] * x;
-      g2 += mesh_.cells.coefficient[a][1] * x;
-    }
-    const double length1 = g1.norm(), length2 = g2.norm();
-    const double s = std::clamp(g1.dot(g2) / (length1 * length2), -1.0 + 1e-9, 1.0 - 1e-9);
-    const double log_strain = std::atanh(s);
-    // w(s): dw/ds = sigma, d2w/ds2 = C_sh / (1 - s^2); |ds/dx_a| <= cos(gamma) r_a, |d2s/dx_a dx_b| <= 3 r_a r_b,
-    // with r_a = |c1_a|/|g1| + |c2_a|/|g2|
+    const ShearLevers lever = shear_levers(mesh_.cells, c, position);
+    const double log_strain = std::atanh(lever.sine);
+    // w(s): dw/ds = sigma, d2w/ds2 = C_sh / (1 - s^2); derivatives of s in shear_levers.hpp
     const double factor =
         mesh_.cells.area[c] * mesh_.thickness *
         (std::abs(shear_tangent(shear_, log_strain)) + 3.0 * std::abs(shear_stress(shear_, log_strain)));
-    double sum = 0.0;
-    for (int a = begin; a < end; ++a)
-      sum += std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2;
-    for (int a = begin; a < end; ++a)
-      cell_rows[mesh_.cells.node[a]] +=
-          factor * sum *
-          (std::abs(mesh_.cells.coefficient[a][0]) / length1 + std::abs(mesh_.cells.coefficient[a][1]) / length2);
+    for (int a = begin; a < end; ++a) cell_rows[mesh_.cells.node[a]] += factor * lever.sum * lever.of_node[a - begin];
   }
   move_images(bound, cell_rows);
   for (const auto& tie : mesh_.tie) {

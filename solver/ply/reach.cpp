@@ -29,7 +29,7 @@ double widened_shear(double sharpest) {
 
 Reach::Reach(bool fixed)
     : fixed_(fixed),
-      allowed_(fixed ? every_strain : FamilyStrains{widened(StrainRange{}), widened(StrainRange{})}),
+      allowed_(fixed ? every_strain : FamilyStrains{widened({}), widened({})}),
       allowed_sharpest_(widened_shear(0.0)) {}
 
 bool Reach::passed_by(const FamilyStrains& now, double sharpest) {

@@ -9,6 +9,10 @@
 namespace weaveform {
 namespace {
 
+// Ten times what was measured (docs/accuracy.md): loads of the scenes there are off by up to 6e-7 of themselves, where nodes
+// stick and slip by their roundings, angles by 1e-7, energy balances by 4e-7.
+constexpr double load_share = 6e-6, angle_share = 1e-6, balance = 4e-6;
+
 std::vector<std::string> with_precision(std::vector<std::string> overrides, Precision precision) {
   overrides.emplace_back("output.frames=0");
   overrides.push_back("analysis.precision=" + name_of(precision));
@@ -25,32 +29,28 @@ struct Both {
     EXPECT_NEAR(in_single.last(column), in_double.last(column), share * std::abs(in_double.last(column))) << column;
   }
   void expect_balanced() const {
-    EXPECT_LT(in_single.result.statistics.energy_error, in_double.result.statistics.energy_error + 1e-4);
+    EXPECT_LT(in_single.result.statistics.energy_error, in_double.result.statistics.energy_error + balance);
   }
 };
 
-// Elements' forces off by 1e-7 and nothing that grows: a quasi-static load is off by as much, and by what the rounding
-// does to vibrations of 1e-4 of it, which differ in phase.
 TEST(SinglePrecision, GivesTheBiasExtensionOfDouble) {
   for (const std::string fabric : {"twintex-pw", "twintex-tw"}) {
     const Both both("bias_extension_pw", {"fabric.material=" + fabric, "blank.coarsening=4"});
-    both.expect_close("top.force_N", 1e-4);
-    both.expect_close("center.shear_angle_deg", 1e-5);
+    both.expect_close("top.force_N", load_share);
+    both.expect_close("center.shear_angle_deg", angle_share);
     both.expect_balanced();
   }
 }
 
 TEST(SinglePrecision, GivesTheShearFrameOfDouble) {
   const Both both("shear_frame_pw", {"blank.coarsening=4"});
-  both.expect_close("crosshead.force_N", 1e-4);
+  both.expect_close("crosshead.force_N", load_share);
   both.expect_balanced();
 }
 
-// Where fabric slides, nodes stick and slip at other moments when anything is rounded otherwise: the force scatters by
-// as much between two perturbed runs (docs/stability.md).
 TEST(SinglePrecision, GivesTheHemisphereOfDouble) {
   const Both both("hemisphere_pw_fast", {"blank.coarsening=4"});
-  both.expect_close("punch.force_N", 2e-3);
+  both.expect_close("punch.force_N", load_share);
   both.expect_balanced();
 }
 

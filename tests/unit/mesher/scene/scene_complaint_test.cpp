@@ -63,6 +63,8 @@ TEST(SceneComplaint, WrongTypesPointAtTheValue) {
             "s.toml:2:14: 'step_check' is a whole number; it must be true or false");
   EXPECT_EQ(complaint_of("[analysis]\nduration = \"never\"\n"),
             "s.toml:2:12: 'duration' is text; it must be a number or \"auto\" (s)");
+  EXPECT_EQ(complaint_of("[blank]\ncoarsening = \"autoo\"\n"),
+            "s.toml:2:14: 'coarsening' is text; it must be 1 or 2 numbers or \"auto\"");
   EXPECT_EQ(complaint_of("[model]\nyarn = 2020-01-01\n"), "s.toml:2:8: 'yarn' is a date or time; it must be text");
 }
 
