@@ -13,7 +13,7 @@ constexpr double least_range = 1e-3;  // always allowed: below it no law of a fa
 constexpr double shear_margin = 1.03;
 constexpr double least_shear = 0.5;  // logarithmic strain; 27 degrees, always allowed
 
-StrainRange widened(const StrainRange& reached) {
+StrainRange widened_range(const StrainRange& reached) {
   return {std::max(-torn_strain, std::min(margin * reached.least, -least_range)),
           std::min(torn_strain, std::max(margin * reached.greatest, least_range))};
 }
@@ -29,7 +29,7 @@ double widened_shear(double sharpest) {
 
 Reach::Reach(bool fixed)
     : fixed_(fixed),
-      allowed_(fixed ? every_strain : FamilyStrains{widened({}), widened({})}),
+      allowed_(fixed ? every_strain : FamilyStrains{widened_range(StrainRange{}), widened_range(StrainRange{})}),
       allowed_sharpest_(widened_shear(0.0)) {}
 
 bool Reach::passed_by(const FamilyStrains& now, double sharpest) {
@@ -49,7 +49,7 @@ bool Reach::allows(const FamilyStrains& strains, double sharpest) const {
 
 void Reach::renew() {
   if (fixed_) return;
-  for (std::size_t f = 0; f < allowed_.size(); ++f) allowed_[f] = widened(reached_[f]);
+  for (std::size_t f = 0; f < allowed_.size(); ++f) allowed_[f] = widened_range(reached_[f]);
   reached_ = {};
   allowed_sharpest_ = widened_shear(reached_sharpest_);
   reached_sharpest_ = 0.0;
