@@ -69,10 +69,13 @@ void add_level(WrinklesOf& one, const WrinkleLevel& level) {
 
 std::size_t agrees_from(const WrinklesOf& one, std::size_t measure) {
   const double finest = one.level.front().value[measure];
+  if (std::isnan(finest)) return 0;
   const double scale = std::max(std::abs(finest), wrinkle_measure[measure].floor);
   std::size_t from = 0;
-  while (from + 1 < one.level.size() && std::abs(one.level[from + 1].value[measure] - finest) <= wrinkles_agree * scale)
-    ++from;
+  const auto agrees = [&](double value) {
+    return !std::isnan(value) && std::abs(value - finest) <= wrinkles_agree * scale;
+  };
+  while (from + 1 < one.level.size() && agrees(one.level[from + 1].value[measure])) ++from;
   return from;
 }
 

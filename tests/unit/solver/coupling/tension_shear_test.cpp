@@ -70,8 +70,8 @@ struct CoupledPatch : FabricPatch {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> away(-0.05, 0.05);
     move([&](const Vector3d& x) {
-      return Vector3d(1.01 * x[0] + 0.4 * x[1], 1.02 * x[1] - 0.1 * x[0], 0.002 * x[0] * x[1]) +
-             Vector3d(away(random), away(random), away(random));
+      const Vector3d even(1.01 * x[0] + 0.4 * x[1], 1.02 * x[1] - 0.1 * x[0], 0.002 * x[0] * x[1]);
+      return Vector3d(even + Vector3d(away(random), away(random), away(random)));
     });
   }
 };
