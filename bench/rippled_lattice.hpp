@@ -17,9 +17,10 @@ struct RippledLattice {
   Mesh mesh;
   std::unique_ptr<Ply> ply;
 
-  // `cells` along each side; `yarn_angle` in degrees.
+  // `cells` along each side; `yarn_angle` in degrees; `height` of the ripples out of the plane (mm): with none of it a
+  // flat ply (Ply::seek_plane).
   RippledLattice(int cells, double yarn_angle, const ModelSpec& model, Team& team,
-                 Precision precision = Precision::double_precision) {
+                 Precision precision = Precision::double_precision, double height = 0.3) {
     const double side = cells * card.yarn[0].interval;
     scene.blank.size = {side, side};
     scene.blank.yarn_angle = yarn_angle;
@@ -33,8 +34,9 @@ struct RippledLattice {
     for (const int n : ply->packed().packed_of_mesh) {
       state.position[0][n] += 0.6 * std::sin(0.05 * state.position[1][n]);
       state.position[1][n] += 0.6 * std::sin(0.04 * state.position[0][n]);
-      state.position[2][n] += 0.3 * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
+      state.position[2][n] += height * std::sin(0.03 * (state.position[0][n] + state.position[1][n]));
     }
+    ply->seek_plane();
   }
 
   // As the analysis makes it.

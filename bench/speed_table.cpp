@@ -2,6 +2,7 @@
 // measured in one run and in turn, so that a machine that grows slower slows all of them; medians over the rounds.
 //
 //   usage: weaveform_speed_table FILE.md [ROUNDS]
+//          weaveform_speed_table --rates            of the cases for the table of instruction sets, for the program itself
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@
 #include "bench/rippled_lattice.hpp"
 #include "bench/step_costs.hpp"
 #include "core/files/files.hpp"
+#include "core/guard/run_program.hpp"
 #include "core/version/version.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/scene/reader.hpp"
@@ -57,8 +60,8 @@ struct Lattice {
   Team one{1}, two{2};
   RippledLattice of[2];
 
-  Lattice(int cells, double yarn_angle, const ModelSpec& model, Precision precision)
-      : of{{cells, yarn_angle, model, one, precision}, {cells, yarn_angle, model, two, precision}} {
+  Lattice(int cells, double yarn_angle, const ModelSpec& model, Precision precision, double height)
+      : of{{cells, yarn_angle, model, one, precision, height}, {cells, yarn_angle, model, two, precision, height}} {
     for (auto& lattice : of) {
       (void)lattice.ply->renew_stable_step();
       lattice.ply->compute_forces(step);
@@ -77,8 +80,8 @@ struct Lattice {
 };
 
 Case lattice_case(const std::string& name, int cells, double angle, const ModelSpec& model = {},
-                  Precision precision = Precision::double_precision) {
-  const auto lattice = std::make_shared<Lattice>(cells, angle, model, precision);
+                  Precision precision = Precision::double_precision, double height = 0.3) {
+  const auto lattice = std::make_shared<Lattice>(cells, angle, model, precision, height);
   return {.name = name, .cells = lattice->of[0].mesh.cells.size(), .run = [lattice](int t) { return lattice->run(t); }};
 }
 
@@ -106,6 +109,7 @@ std::vector<Case> all_cases() {
     cases.push_back(lattice_case(fmt::format("flat {}²", n), n, 0.0));
     cases.push_back(lattice_case(fmt::format("flat {}², single precision", n), n, 0.0, {}, single));
   }
+  cases.push_back(lattice_case("flat 100², in its plane", 100, 0.0, {}, Precision::double_precision, 0.0));
   for (const int n : {26, 100}) {
     cases.push_back(lattice_case(fmt::format("cut at 45°, side of {} cells", n), n, 45.0));
     cases.push_back(
@@ -170,7 +174,42 @@ std::string limits(const std::vector<Case>& cases) {
       1e-3 * big * bytes_of_a_cell_step / from_memory);
 }
 
-int write_table(const std::filesystem::path& file, int rounds) {
+// Of one thread, M cell-steps/s, median of three: flat 100² in double and in single precision, and 760 cells cut at 45°.
+std::vector<double> rates_of_sets() {
+  std::vector<double> rates;
+  std::vector<Case> cases;
+  cases.push_back(lattice_case("flat", 100, 0.0));
+  cases.push_back(lattice_case("single", 100, 0.0, {}, Precision::single_precision));
+  cases.push_back(lattice_case("cut", 26, 45.0));
+  for (const Case& one : cases) {
+    std::vector<double> found;
+    for (int round = 0; round < 3; ++round) {
+      const Measured measured = one.run(1);
+      found.push_back(1e-6 * measured.cell_steps / measured.seconds);
+    }
+    rates.push_back(median(found));
+  }
+  return rates;
+}
+
+// A program has one instruction set for as long as it runs: each is asked of another one.
+std::string sets_table(const std::string& self, double mark) {
+  std::string text =
+      "The same program on processors with less (to the same mark, which is compiled for this one):\n\n"
+      "| instruction set | flat 100² | in single precision | cut at 45°, 760 cells |\n|---|---:|---:|---:|\n";
+  for (const char* set : {"avx512", "avx2", "sse2"}) {
+    const ProgramEnd end = run_program({"env", fmt::format("WEAVEFORM_INSTRUCTIONS={}", set), self, "--rates"}, "",
+                                       "rates of an instruction set cannot be measured", "coreutils");
+    if (end.exit_code != 0) continue;  // a set that this processor or this build does not have
+    text += fmt::format("| {} |", set);
+    std::istringstream rates(end.output);
+    for (double rate = 0.0; rates >> rate;) text += fmt::format(" {:.2f} |", rate / mark);
+    text += "\n";
+  }
+  return text;
+}
+
+int write_table(const std::string& self, const std::filesystem::path& file, int rounds) {
   std::vector<Case> cases = all_cases();
   const std::vector<int> plain_size = {100, 400, 1000};
   std::vector<std::vector<double>> plain(plain_size.size()), plain_single(plain_size.size());
@@ -202,7 +241,7 @@ int write_table(const std::filesystem::path& file, int rounds) {
   for (std::size_t k = 0; k < plain_size.size(); ++k)
     text += fmt::format("| {}² | {:.1f} | {:.2f} | {:.1f} | {:.2f} |\n", plain_size[k], median(plain[k]),
                         median(plain[k]) / mark, median(plain_single[k]), median(plain_single[k]) / mark);
-  text += "\n" + table(cases, mark) + "\n" + limits(cases);
+  text += "\n" + table(cases, mark) + "\n" + sets_table(self, mark) + "\n" + limits(cases);
   write_text_whole(file, text);
   std::fputs(text.c_str(), stdout);
   return 0;
@@ -215,5 +254,9 @@ int main(int count, char** arguments) {
     std::fputs("usage: weaveform_speed_table FILE.md [ROUNDS]\n", stderr);
     return 2;
   }
-  return write_table(arguments[1], count > 2 ? std::max(1, std::atoi(arguments[2])) : 5);
+  if (std::string(arguments[1]) == "--rates") {
+    for (const double rate : rates_of_sets()) fmt::print("{}\n", rate);
+    return 0;
+  }
+  return write_table(arguments[0], arguments[1], count > 2 ? std::max(1, std::atoi(arguments[2])) : 5);
 }

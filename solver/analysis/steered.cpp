@@ -10,7 +10,9 @@ namespace weaveform {
 Steered::Steered(Resolved model, int threads)
     : model_(model.scene.analysis.mass_scale != 1.0 ? with_scaled_mass(std::move(model)) : std::move(model)),
       analysis_(std::make_unique<Analysis>(model_, parts_to_solve(model_), std::filesystem::path(),
-                                           SolveOptions{.threads = threads, .quiet = true})) {}
+                                           SolveOptions{.threads = threads, .quiet = true})) {
+  for (std::size_t k = 0; k < world().size(); ++k) world().ply(k).leave_plane();  // its caller may
+}
 
 void Steered::step() {
   if (!failure_.empty()) throw PhysicsError(failure_);

@@ -107,6 +107,7 @@ void World::start() {
   if (const double size = scene_.analysis.perturbation; size > 0.0)
     for (std::size_t k = 0; k < plies_.size(); ++k)  // each ply its own
       plies_[k]->perturb(size, static_cast<std::uint64_t>(scene_.analysis.perturbation_seed) + k);
+  for (auto& ply : plies_) ply->seek_plane();
   renew_step();
   compute_forces();
   if (passes_reach()) renew_step();
@@ -257,6 +258,7 @@ void World::archive(Archive& archive) {
   if (tools_) tools_->archive(archive);
   for (auto& ply : plies_) {
     ply->archive(archive);
+    ply->seek_plane();
     ply->set_step(viscous_time_, step_);
   }
 }

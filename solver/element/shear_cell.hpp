@@ -16,11 +16,22 @@
 
 namespace weaveform {
 
-template <class T>
+// Vectors have two components where the scene is flat (lattice/element_loops.hpp), of which nothing else here knows.
+template <class T, int components = 3>
 struct CellForce {
-  T warp[3];  // N; conjugate to g1, so that node a of the cell gets -(c1_a * warp + c2_a * weft)
-  T weft[3];  // N; conjugate to g2
+  T warp[components];  // N; conjugate to g1, so that node a of the cell gets -(c1_a * warp + c2_a * weft)
+  T weft[components];  // N; conjugate to g2
 };
+
+// a.b; without its third component the same bits as with one that is zero.
+template <class T, int components>
+[[gnu::always_inline]] inline T dot_product(const T (&a)[components], const T (&b)[components]) {
+  const T plane = a[0] * b[0] + a[1] * b[1];
+  if constexpr (components == 3)
+    return plane + a[2] * b[2];
+  else
+    return plane;
+}
 
 // Packed shear law, odd in the strain: the tangent polynomial and, where `started`, the card's friction-like start, which
 // costs a division.
@@ -52,13 +63,13 @@ struct CellShear {
   T square1, square2, inverse, sine;
 };
 
-template <class T>
-[[gnu::always_inline]] inline CellShear<T> cell_shear(const T (&g1)[3], const T (&g2)[3]) {
+template <class T, int components>
+[[gnu::always_inline]] inline CellShear<T> cell_shear(const T (&g1)[components], const T (&g2)[components]) {
   // a cell without area, as blocks are filled up with, may have no directions
   constexpr double least = 1e-12;
-  const T square1 = at_least<T>(g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2], least);
-  const T square2 = at_least<T>(g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2], least);
-  const T dot = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
+  const T square1 = at_least<T>(dot_product(g1, g1), least);
+  const T square2 = at_least<T>(dot_product(g2, g2), least);
+  const T dot = dot_product(g1, g2);
   const T inverse = inverse_root<T>(square1 * square2);
   // A cell at |gamma| = 90 deg has no area left; the clamp keeps the logarithm finite and the run's checks report the
   // cell.
@@ -67,22 +78,23 @@ template <class T>
 }
 
 // Of the volume times the stress, `force` (N mm).
-template <Formulation formulation, class T>
-[[gnu::always_inline]] inline CellForce<T> sheared_cell_force(const CellShear<T>& shear, const T (&g1)[3],
-                                                              const T (&g2)[3], const T& force) {
+template <Formulation formulation, class T, int components>
+[[gnu::always_inline]] inline CellForce<T, components> sheared_cell_force(const CellShear<T>& shear,
+                                                                          const T (&g1)[components],
+                                                                          const T (&g2)[components], const T& force) {
   const T cross = force * shear.inverse;
-  CellForce<T> result;
+  CellForce<T, components> result;
   if constexpr (formulation == Formulation::energy) {
     const T per_area = force * shear.sine * (shear.inverse * shear.inverse);  // force * s / square1 / square2
     const T along1 = per_area * shear.square2, along2 = per_area * shear.square1;
 #pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < components; ++c) {
       result.warp[c] = cross * g2[c] - along1 * g1[c];
       result.weft[c] = cross * g1[c] - along2 * g2[c];
     }
   } else {
 #pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < components; ++c) {
       result.warp[c] = cross * g2[c];
       result.weft[c] = cross * g1[c];
     }
@@ -91,9 +103,10 @@ template <Formulation formulation, class T>
 }
 
 // Sets `square` to sin^2 gamma.
-template <Formulation formulation, Thickness thickness, class Shear, class T>
-[[gnu::always_inline]] inline CellForce<T> shear_cell_force(const Shear& law, const T (&g1)[3], const T (&g2)[3],
-                                                            const T& volume, T& square) {
+template <Formulation formulation, Thickness thickness, class Shear, class T, int components>
+[[gnu::always_inline]] inline CellForce<T, components> shear_cell_force(const Shear& law, const T (&g1)[components],
+                                                                        const T (&g2)[components], const T& volume,
+                                                                        T& square) {
   static_assert(formulation == Formulation::energy || formulation == Formulation::contravariant,
                 "the formulations with a history have kernels of their own (incremental_cell.hpp)");
   const CellShear<T> shear = cell_shear(g1, g2);

@@ -143,17 +143,17 @@ struct YarnSums {
 };
 
 // The way from the first to the second node and how it changes, mm and mm/s.
-template <class T>
+template <int components, class T>
 struct YarnSpan {
-  Wide<T> way[3];
-  T change[3];
+  Wide<T> way[components];
+  T change[components];
 };
 
-template <class T, class P>
-[[gnu::always_inline]] inline YarnSpan<T> span(const RowYarns& yarns, const NodeArrays& nodes, const P& n) {
-  YarnSpan<T> span;
+template <int components, class T, class P>
+[[gnu::always_inline]] inline YarnSpan<components, T> span(const RowYarns& yarns, const NodeArrays& nodes, const P& n) {
+  YarnSpan<components, T> span;
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < components; ++c) {
     const double *x = nodes.position[c], *v = nodes.velocity[c];
     span.way[c] = difference<Wide<T>>(x + yarns.next, x, n);
     span.change[c] = difference<T>(v + yarns.next, v, n);
@@ -161,11 +161,12 @@ template <class T, class P>
   return span;
 }
 
-template <class T, class P>
-[[gnu::always_inline]] inline YarnSpan<T> span(const ListedYarns& yarns, const NodeArrays& nodes, const P& n) {
-  YarnSpan<T> span;
+template <int components, class T, class P>
+[[gnu::always_inline]] inline YarnSpan<components, T> span(const ListedYarns& yarns, const NodeArrays& nodes,
+                                                           const P& n) {
+  YarnSpan<components, T> span;
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < components; ++c) {
     const double *x = nodes.position[c], *v = nodes.velocity[c];
     span.way[c] = gather<Wide<T>>(x, yarns.node1, n) - gather<Wide<T>>(x, yarns.node0, n);
     span.change[c] = narrow<T>(gather<Wide<T>>(v, yarns.node1, n) - gather<Wide<T>>(v, yarns.node0, n));
@@ -214,19 +215,19 @@ template <Section section, class Law, class T, class P>
   return 1.0;
 }
 
-template <Section section, class T, bool repeated, class Law, class Yarns, class Real, class Sums>
+template <int components, Section section, class T, bool repeated, class Law, class Yarns, class Real, class Sums>
 [[gnu::always_inline]] inline void yarn_pass(const Law& law, const Yarns& yarns, const NodeArrays& nodes,
                                              const YarnStep& step, Real* const (&force)[3], int k, int turn,
                                              Sums& sums) {
   const auto n = place_of<T, repeated>(yarns, k, turn), to = moved(n, -origin_of(yarns));
-  const YarnSpan<T> s = span<T>(yarns, nodes, n);
-  const T way[3] = {narrow<T>(s.way[0]), narrow<T>(s.way[1]), narrow<T>(s.way[2])};
+  const YarnSpan<components, T> s = span<components, T>(yarns, nodes, n);
+  T way[components];
+#pragma GCC unroll 3
+  for (int c = 0; c < components; ++c) way[c] = narrow<T>(s.way[c]);
   // what fills up a block has no section, and stands for a yarn at rest
-  const T rate = select(load<T>(yarns.section, n) > spread<T>(0.0),
-                        way[0] * s.change[0] + way[1] * s.change[1] + way[2] * s.change[2], spread<T>(0.0));
-  const Wide<T> square =
-      select(load<Wide<T>>(yarns.section, n) > spread<Wide<T>>(0.0),
-             s.way[0] * s.way[0] + s.way[1] * s.way[1] + s.way[2] * s.way[2], spread<Wide<T>>(unit_of(yarns)));
+  const T rate = select(load<T>(yarns.section, n) > spread<T>(0.0), dot_product(way, s.change), spread<T>(0.0));
+  const Wide<T> square = select(load<Wide<T>>(yarns.section, n) > spread<Wide<T>>(0.0), dot_product(s.way, s.way),
+                                spread<Wide<T>>(unit_of(yarns)));
   const YarnResponse<T> r = response<section, Law, T>(yarns, law, step, n, square, rate);
   gather_into<repeated>(sums.power, widen<T>(r.viscous * rate), turn,
                         [](const Vector& a, const Vector& b) { return a + b; });
@@ -234,10 +235,10 @@ template <Section section, class T, bool repeated, class Law, class Yarns, class
   shortest = lesser(shortest, lesser(r.now, r.coming));
   longest = greater(longest, greater(r.now, r.coming));
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) store(force[c], to, r.per_length * way[c]);
+  for (int c = 0; c < components; ++c) store(force[c], to, r.per_length * way[c]);
 }
 
-template <Section section, class Law, class Yarns, class Real>
+template <int components, Section section, class Law, class Yarns, class Real>
 void yarn_loop(const void* law_pointer, const Yarns& its_yarns, const NodeArrays& its_nodes, const YarnStep& its_step,
                Real* const (&t)[3], YarnLanes& totals) {
   constexpr int vectors = yarns_at_once<Real>;
@@ -253,7 +254,7 @@ void yarn_loop(const void* law_pointer, const Yarns& its_yarns, const NodeArrays
                          {spread<Main>(unit), load_lanes(totals.longest) * unit}};
   through_blocks<vectors, Real>(
       blocks_of(yarns), [&]<class T, bool repeated>(int k, int turn) __attribute__((always_inline)) {
-        yarn_pass<section, T, repeated>(law, yarns, nodes, step, force, k, turn, sums);
+        yarn_pass<components, section, T, repeated>(law, yarns, nodes, step, force, k, turn, sums);
       });
   store_lanes(totals.power, sums.power);
   store_lanes(totals.shortest, sums.shortest.together(lesser_vector) / unit);
@@ -262,18 +263,19 @@ void yarn_loop(const void* law_pointer, const Yarns& its_yarns, const NodeArrays
 
 // ---- cells
 
-template <class T>
+template <class T, int components = 3>
 struct Directions {
-  T warp[3], weft[3];
+  T warp[components], weft[components];
 };
 
 // At a full quad's centre from its diagonals d = x11 - x00, e = x10 - x01: g1 = (d + e)/2h1, g2 = (d - e)/2h2. The
 // whole-stress formulations ask for directions of any length: s and h ds/dg are those of h g. They get d + e and d - e.
-template <class T, class P>
-[[gnu::always_inline]] inline Directions<T> directions(const RowCells& cells, const NodeArrays& nodes, const P& n) {
-  Directions<T> g;
+template <int components, class T, class P>
+[[gnu::always_inline]] inline Directions<T, components> directions(const RowCells& cells, const NodeArrays& nodes,
+                                                                   const P& n) {
+  Directions<T, components> g;
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < components; ++c) {
     const double *x = nodes.position[c], *up = x + cells.next;
     const T d = difference<T>(up + 1, x, n), e = difference<T>(x + 1, up, n);
     g.warp[c] = d + e;
@@ -283,13 +285,14 @@ template <class T, class P>
 }
 
 // Of a cut cell from all its nodes, relative to the first, so that a translation leaves the bits alone.
-template <class T, class P>
-[[gnu::always_inline]] inline Directions<T> directions(const ListedCells& cells, const NodeArrays& nodes, const P& n) {
+template <int components, class T, class P>
+[[gnu::always_inline]] inline Directions<T, components> directions(const ListedCells& cells, const NodeArrays& nodes,
+                                                                   const P& n) {
   constexpr int width = LooseCells::width;
-  Wide<T> first[3];
-  Directions<T> g;
+  Wide<T> first[components];
+  Directions<T, components> g;
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < components; ++c) {
     first[c] = gather<Wide<T>>(nodes.position[c], cells.node, n, width);
     g.warp[c] = g.weft[c] = spread<T>(0.0);
   }
@@ -297,7 +300,7 @@ template <class T, class P>
   for (int a = 1; a < width; ++a) {
     const T c1 = every<T>(cells.warp + a, n, width), c2 = every<T>(cells.weft + a, n, width);
 #pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < components; ++c) {
       const T offset = narrow<T>(gather<Wide<T>>(nodes.position[c], cells.node + a, n, width) - first[c]);
       g.warp[c] += c1 * offset;
       g.weft[c] += c2 * offset;
@@ -308,33 +311,33 @@ template <class T, class P>
 
 // f_a = -(c1_a F1 + c2_a F2): the lower first corner has c = (-, -)/2h, the upper first one (-, +)/2h; without the
 // halves and spacings, that the directions do not have either.
-template <class T, class P, class Real>
+template <class T, int components, class P, class Real>
 [[gnu::always_inline]] inline void write(const RowCells& /*cells*/, const RowCellForces<Real>& out, const P& to,
-                                         const CellForce<T>& f) {
+                                         const CellForce<T, components>& f) {
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < components; ++c) {
     store(out.p[c], to, f.warp[c] + f.weft[c]);
     store(out.q[c], to, f.warp[c] - f.weft[c]);
   }
 }
 
-template <class T, class P, class Real>
+template <class T, int components, class P, class Real>
 [[gnu::always_inline]] inline void write(const ListedCells& /*cells*/, const ListedCellForces<Real>& out, const P& to,
-                                         const CellForce<T>& f) {
+                                         const CellForce<T, components>& f) {
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < components; ++c) {
     store(out.warp[c], to, f.warp[c]);
     store(out.weft[c], to, f.weft[c]);
   }
 }
 
-template <Formulation formulation, Thickness thickness_kind, class T, bool repeated, class Shear, class Cells,
-          class Forces, class Sharpest>
+template <int components, Formulation formulation, Thickness thickness_kind, class T, bool repeated, class Shear,
+          class Cells, class Forces, class Sharpest>
 [[gnu::always_inline]] inline void cell_pass(const Shear& shear, const Cells& cells, double thickness,
                                              const NodeArrays& nodes, const Forces& forces, int k, int turn,
                                              Sharpest& sharpest) {
   const auto n = place_of<T, repeated>(cells, k, turn);
-  const Directions<T> g = directions<T>(cells, nodes, n);
+  const Directions<T, components> g = directions<components, T>(cells, nodes, n);
   const T area = load<T>(cells.area, n), none = spread<T>(0.0);
   T square;
   const auto f =
@@ -345,7 +348,8 @@ template <Formulation formulation, Thickness thickness_kind, class T, bool repea
   greatest = greater(greatest, select(area > none, square, none));
 }
 
-template <Formulation formulation, Thickness thickness_kind, class Real, class Shear, class Cells, class Forces>
+template <int components, Formulation formulation, Thickness thickness_kind, class Real, class Shear, class Cells,
+          class Forces>
 void cell_loop(const void* shear_pointer, const Cells& its_cells, double thickness, const NodeArrays& its_nodes,
                const Forces& its_forces, CellLanes& totals) {
   constexpr int vectors = cells_at_once<Real>;
@@ -356,7 +360,8 @@ void cell_loop(const void* shear_pointer, const Cells& its_cells, double thickne
   Kept<PackOf<vectors, Real>> sharpest = {spread<PackOf<vectors, Real>>(0.0), load_lanes(totals.sharpest)};
   through_blocks<vectors, Real>(
       blocks_of(cells), [&]<class T, bool repeated>(int k, int turn) __attribute__((always_inline)) {
-        cell_pass<formulation, thickness_kind, T, repeated>(shear, cells, thickness, nodes, forces, k, turn, sharpest);
+        cell_pass<components, formulation, thickness_kind, T, repeated>(shear, cells, thickness, nodes, forces, k, turn,
+                                                                        sharpest);
       });
   store_lanes(totals.sharpest, sharpest.together(greater_vector));
 }
@@ -414,7 +419,7 @@ void history_cell_loop(const void* shear_pointer, const Cells& its_cells, double
 #pragma omp simd reduction(max : sharpest)
   for (int n = begin; n < end; ++n) {
     const Scale scale = scale_of(cells);
-    const Directions<double> g = scaled(directions<double>(cells, nodes, n), scale);
+    const Directions<double> g = scaled(directions<3, double>(cells, nodes, n), scale);
     CellHistory state = load_history(history, n);
     const CellForce<double> force =
         incremental_cell_force<frame, thickness_kind>(shear, g.warp, g.weft, cells.area[n] * thickness, state);
@@ -440,8 +445,8 @@ HistoryCellLoops shaped_history_loops(ShearShape shape) {
 template <class Real, Formulation formulation, Thickness thickness>
 CellLoops<Real> shaped_cell_loops(ShearShape shape) {
   const auto of = []<class Shear>(Shear /*shape*/) -> CellLoops<Real> {
-    return {&cell_loop<formulation, thickness, Real, Shear, RowCells, RowCellForces<Real>>,
-            &cell_loop<formulation, thickness, Real, Shear, ListedCells, ListedCellForces<Real>>};
+    return {&cell_loop<3, formulation, thickness, Real, Shear, RowCells, RowCellForces<Real>>,
+            &cell_loop<3, formulation, thickness, Real, Shear, ListedCells, ListedCellForces<Real>>};
   };
   if (shape == ShearShape::general) return of(GeneralShear{});
   return shape == ShearShape::started ? of(StartedShear{}) : of(PaperShear{});
@@ -449,8 +454,9 @@ CellLoops<Real> shaped_cell_loops(ShearShape shape) {
 
 template <class Real, Section section>
 YarnLoops<Real> shaped_yarn_loops(bool paper) {
-  if (paper) return {&yarn_loop<section, PaperLaw, RowYarns, Real>, &yarn_loop<section, PaperLaw, ListedYarns, Real>};
-  return {&yarn_loop<section, GeneralLaw, RowYarns, Real>, &yarn_loop<section, GeneralLaw, ListedYarns, Real>};
+  if (paper)
+    return {&yarn_loop<3, section, PaperLaw, RowYarns, Real>, &yarn_loop<3, section, PaperLaw, ListedYarns, Real>};
+  return {&yarn_loop<3, section, GeneralLaw, RowYarns, Real>, &yarn_loop<3, section, GeneralLaw, ListedYarns, Real>};
 }
 
 template <class Real>
@@ -469,6 +475,24 @@ CellLoops<Real> cell_loops(Formulation formulation, Thickness thickness, ShearSh
                   : shaped_cell_loops<Real, Formulation::contravariant, Thickness::constant_volume>(shape);
 }
 
+YarnLoops<double> flat_yarn_loops(Section section, bool paper) {
+  if (section != Section::incompressible || !paper) return {};
+  constexpr Section given = Section::incompressible;
+  return {&yarn_loop<2, given, PaperLaw, RowYarns, double>, &yarn_loop<2, given, PaperLaw, ListedYarns, double>};
+}
+
+CellLoops<double> flat_cell_loops(Formulation formulation, Thickness thickness, ShearShape shape) {
+  const auto of = []<class Shear>(Shear /*shape*/) -> CellLoops<double> {
+    constexpr auto energy = Formulation::energy;
+    constexpr auto constant_volume = Thickness::constant_volume;
+    return {&cell_loop<2, energy, constant_volume, double, Shear, RowCells, RowCellForces<double>>,
+            &cell_loop<2, energy, constant_volume, double, Shear, ListedCells, ListedCellForces<double>>};
+  };
+  if (formulation != Formulation::energy || thickness != Thickness::constant_volume || shape == ShearShape::general)
+    return {};
+  return shape == ShearShape::started ? of(StartedShear{}) : of(PaperShear{});
+}
+
 HistoryCellLoops history_cell_loops(Frame frame, Thickness thickness, ShearShape shape) {
   const bool constant = thickness == Thickness::constant;
   if (frame == Frame::green_naghdi)
@@ -483,6 +507,7 @@ HistoryCellLoops history_cell_loops(Frame frame, Thickness thickness, ShearShape
 extern const ElementLoops loops_of_elements;
 const ElementLoops loops_of_elements = {.of_double = {.yarns = yarn_loops<double>, .cells = cell_loops<double>},
                                         .of_single = {.yarns = yarn_loops<float>, .cells = cell_loops<float>},
+                                        .flat = {.yarns = flat_yarn_loops, .cells = flat_cell_loops},
                                         .history_cells = history_cell_loops};
 
 }  // namespace weaveform::WEAVEFORM_SET

@@ -66,6 +66,9 @@ struct FabricForces::Kernels {
   virtual ~Kernels() = default;
   // With `move`, free nodes move at once.
   virtual void compute(State& state, const BandMove* move) = 0;
+  // As those of FabricForces.
+  [[nodiscard]] virtual bool has_flat_loops() const = 0;
+  virtual void set_flat(bool flat) = 0;
 
   void hold_sharpest(const CellLanes& cells) {
     for (const double square : cells.sharpest) sharpest = std::max(sharpest, square);
@@ -104,10 +107,15 @@ template <class Real>
 struct FabricForces::KernelsOf : FabricForces::Kernels {
   using Forces = BandForces<Real>;
 
-  const LoopsOf<Real>& loops = element_loops().of<Real>();
-  const ForceLoops<Real>& for_nodes = node_loops().of<Real>();
-  std::array<YarnLoops<Real>, 2> yarn;
-  CellLoops<Real> cell{};
+  // All of these together are for so many components.
+  struct Loops {
+    int components = 3;
+    ForceLoops<Real> for_nodes;
+    std::array<YarnLoops<Real>, 2> yarn;
+    CellLoops<Real> cell;
+  };
+  Loops in_space, flat;  // `flat` without an element's loop where there is none
+  Loops loops;           // at work
   HistoryCellLoops history_cell{};
   std::vector<Scratch<Real>> scratch;
   std::array<std::array<Reals<Real>, 3>, 2> loose_yarn_force;
@@ -116,13 +124,13 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
   KernelsOf(const PackedMesh& packed_mesh, const Card& card, const std::array<TangentLaw, 2>& yarn_laws,
             const ModelSpec& model, const State& start, Team& its_team)
       : Kernels(packed_mesh, card, yarn_laws, model, start, its_team) {
-    for (int f = 0; f < 2; ++f) yarn[f] = loops.yarns(model.section, yarn_law[f].is_paper);
+    in_space = chosen(3, node_loops().of<Real>(), element_loops().of<Real>(), model);
+    if constexpr (std::is_same_v<Real, double>) flat = chosen(2, node_loops().flat, element_loops().flat, model);
+    loops = in_space;
     if (has_history)
       history_cell = element_loops().history_cells(
           model.formulation == Formulation::side_frame ? Frame::side : Frame::green_naghdi, model.thickness,
           shear.shape);
-    else
-      cell = loops.cells(model.formulation, model.thickness, shear.shape);
     for (int t = 0; t < team.threads(); ++t) scratch.emplace_back(bands.most_slots, packed.stride, has_history);
     for (int c = 0; c < 3; ++c) {
       for (int f = 0; f < 2; ++f) loose_yarn_force[f][c].resize(packed.loose_yarns[f].length.size());
@@ -130,6 +138,17 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
       loose_weft_force[c].resize(packed.loose_cells.area.size());
     }
   }
+
+  Loops chosen(int components, const ForceLoops<Real>& for_nodes, const LoopsOf<Real>& of, const ModelSpec& model) {
+    Loops one = {.components = components, .for_nodes = for_nodes, .yarn = {}, .cell = {}};
+    for (int f = 0; f < 2; ++f) one.yarn[f] = of.yarns(model.section, yarn_law[f].is_paper);
+    if (!has_history) one.cell = of.cells(model.formulation, model.thickness, shear.shape);
+    return one;
+  }
+  [[nodiscard]] bool has_flat_loops() const override {
+    return flat.yarn[0].row != nullptr && flat.yarn[1].row != nullptr && flat.cell.row != nullptr;
+  }
+  void set_flat(bool is_flat) override { loops = is_flat ? flat : in_space; }
 
   void compute(State& state, const BandMove* move) override {
     team.run(static_cast<int>(scratch.size()),
@@ -156,8 +175,8 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
     Real* const t[3] = {forces.along(0), forces.along(1), forces.along(2)};
     const RowYarns yarns = {blocks_of(bands.warp, first, last, forces.origin()), 1, packed.spacing[0],
                             packed.warp_section.data()};
-    for_nodes.clear(blocks_of(bands.warp_gaps, first, last, forces.origin()), t, Forces::along_arrays);
-    yarn[0].row(yarn_law[0].pointer(), yarns, nodes, {viscosity[0], look_ahead}, t, lanes);
+    loops.for_nodes.clear(blocks_of(bands.warp_gaps, first, last, forces.origin()), t, Forces::along_arrays);
+    loops.yarn[0].row(yarn_law[0].pointer(), yarns, nodes, {viscosity[0], look_ahead}, t, lanes);
   }
 
   // Weft elements and cells between each of the rows and the next. `foreign`: the one row is a neighbour's own, which
@@ -165,18 +184,19 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
   void between_rows(const NodeArrays& nodes, int first, int last, Scratch<Real>& own, Forces& forces, BandSums& found,
                     bool foreign = false) {
     const auto arrays_between = forces.between_array();
-    for_nodes.clear(blocks_of(bands.between_gaps, first, last, forces.origin()), arrays_between.data(),
-                    Forces::between_arrays);
+    loops.for_nodes.clear(blocks_of(bands.between_gaps, first, last, forces.origin()), arrays_between.data(),
+                          Forces::between_arrays);
     const SlotBlocks slots = blocks_of(bands.between, first, last, forces.origin());
     Real* const t[3] = {forces.across(0), forces.across(1), forces.across(2)};
-    yarn[1].row(yarn_law[1].pointer(), {slots, packed.stride, packed.spacing[1], packed.weft_section.data()}, nodes,
-                {viscosity[1], look_ahead}, t, found.yarns[1]);
+    loops.yarn[1].row(yarn_law[1].pointer(), {slots, packed.stride, packed.spacing[1], packed.weft_section.data()},
+                      nodes, {viscosity[1], look_ahead}, t, found.yarns[1]);
     const RowCells cells = {
         slots, packed.stride, {1.0 / packed.spacing[0], 1.0 / packed.spacing[1]}, packed.cell_area.data()};
     const RowCellForces<Real> out{{forces.p(0), forces.p(1), forces.p(2)}, {forces.q(0), forces.q(1), forces.q(2)}};
-    if (!has_history) return cell.row(shear.pointer(), cells, thickness, nodes, out, found.cells);
+    if (!has_history) return loops.cell.row(shear.pointer(), cells, thickness, nodes, out, found.cells);
     if constexpr (std::is_same_v<Real, double>) {
-      for_nodes.clear(slots, arrays_between.data() + 3, Forces::between_arrays - 3);  // runs of cells leave the rest
+      loops.for_nodes.clear(slots, arrays_between.data() + 3,
+                            Forces::between_arrays - 3);  // runs of cells leave the rest
       cells_with_history(nodes, first, last, cells, out, own, found, foreign);
     }
   }
@@ -237,7 +257,7 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
   void assemble(const PerRow<int>& blocks, int b, Forces& here, Forces& below, State& state) const {
     double* const force[3] = {state.force[0].data(), state.force[1].data(), state.force[2].data()};
     rows_of_band(blocks, b, here, below, [&](const SlotBlocks& rows, const RowForces<Real>& under) {
-      for_nodes.assemble(rows.block, rows.count, packed.stride, here.row(), under, force);
+      loops.for_nodes.assemble(rows.block, rows.count, packed.stride, here.row(), under, force);
     });
   }
 
@@ -245,7 +265,7 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
     LaneSums& moved = move.sums[b];
     moved = {};
     rows_of_band(move.blocks.free, b, here, below, [&](const SlotBlocks& rows, const RowForces<Real>& under) {
-      for_nodes.move(rows.block, rows.count, packed.stride, here.row(), under, move.nodes, move.step, moved.lane);
+      loops.for_nodes.move(rows.block, rows.count, packed.stride, here.row(), under, move.nodes, move.step, moved.lane);
     });
   }
 
@@ -261,10 +281,10 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
                                 yarns.length.data(),
                                 yarns.jaw.data(),
                                 yarns.section.data()};
-    yarn[family].listed(yarn_law[family].pointer(), listed, node_arrays(state), {viscosity[family], look_ahead}, t,
-                        found.yarns[family]);
+    loops.yarn[family].listed(yarn_law[family].pointer(), listed, node_arrays(state), {viscosity[family], look_ahead},
+                              t, found.yarns[family]);
     sums[family].add(found.yarns[family]);
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < loops.components; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < yarns.size(); ++e) {
         f[yarns.node0[e]] += t[c][e];
@@ -282,13 +302,13 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
     const ListedCells listed = {static_cast<int>(cells.area.size()) / lane_count, cells.node[0].data(),
                                 cells.warp_coefficient[0].data(), cells.weft_coefficient[0].data(), cells.area.data()};
     CellLanes found = BandSums().cells;
-    if (!has_history) cell.listed(shear.pointer(), listed, thickness, node_arrays(state), out, found);
+    if (!has_history) loops.cell.listed(shear.pointer(), listed, thickness, node_arrays(state), out, found);
     if constexpr (std::is_same_v<Real, double>)
       if (has_history)
         history_cell.listed(shear.with_history(), listed, thickness, 0, cells.size(), node_arrays(state),
                             histories.listed.arrays(), out, found);
     hold_sharpest(found);
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < loops.components; ++c) {
       double* f = state.force[c].data();
       for (int e = 0; e < cells.size(); ++e)
         for (int a = 0; a < LooseCells::width; ++a)
@@ -322,6 +342,14 @@ void FabricForces::compute_and_move(State& state, const BandMove& move) {
 
 const Bands& FabricForces::bands() const {
   return kernels_->bands;
+}
+
+bool FabricForces::has_flat_loops() const {
+  return kernels_->has_flat_loops();
+}
+
+void FabricForces::set_flat(bool flat) {
+  kernels_->set_flat(flat);
 }
 
 void FabricForces::set_viscosity(const std::array<double, 2>& viscosity) {

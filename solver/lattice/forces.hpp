@@ -30,6 +30,10 @@ public:
   FabricForces(const FabricForces&) = delete;
   FabricForces& operator=(const FabricForces&) = delete;
 
+  // Whether all along z is zero, and is left alone (element_loops.hpp): the same bits sooner. Not until set; needs loops.
+  [[nodiscard]] bool has_flat_loops() const;
+  void set_flat(bool flat);
+
   // MPa s; the yarns' axial viscosity (yarn.hpp), warp and weft. 0 until set.
   void set_viscosity(const std::array<double, 2>& viscosity);
 

@@ -23,8 +23,8 @@ NodesByWaiting split_by_waiting(const Bands& bands, const std::vector<char>& wai
 void move_free_nodes(const BandMove& move, int band, int first, int last) {
   const PerRow<int>& free = move.blocks.free;
   move.sums[band] = {};
-  node_loops().advance(move.nodes, move.step, free.item.data() + free.first[first],
-                       free.first[last] - free.first[first], move.sums[band].lane);
+  move.advance(move.nodes, move.step, free.item.data() + free.first[first], free.first[last] - free.first[first],
+               move.sums[band].lane);
 }
 
 }  // namespace weaveform

@@ -27,6 +27,7 @@ struct BandMove {
   const NodesByWaiting& blocks;
   NodeMotion nodes;
   LeapfrogStep step;
+  AdvanceLoop advance;  // of all components, or of those that a flat scene has
   std::vector<LaneSums>& sums;
 };
 

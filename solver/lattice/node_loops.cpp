@@ -43,24 +43,25 @@ template <class Real>
   return force;
 }
 
-template <class Real>
+template <int components, class Real>
 void assemble(const int* block, int count, int next, const RowForces<Real>& its_row, const RowForces<Real>& row_below,
               double* const (&force)[3]) {
   const RowForces<Real> here = its_row, below = row_below;
   double* const f[3] = {force[0], force[1], force[2]};
   for (int k = 0; k < count; ++k)
 #pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c) store(f[c], block_at(block[k]), assembled(here, below, next, block[k], c));
+    for (int c = 0; c < components; ++c) store(f[c], block_at(block[k]), assembled(here, below, next, block[k], c));
 }
 
 // Those of a block that begins at slot n, under `force`; returns m v0^2.
+template <int components>
 [[gnu::always_inline]] inline Lanes move_nodes(const NodeMotion& nodes, const LeapfrogStep& step, int n,
-                                               const Lanes (&force)[3]) {
+                                               const Lanes (&force)[components]) {
   const auto at = block_at(n);
   Lanes square = spread<Lanes>(0.0);
   const Lanes impulse = step.kick * load<Lanes>(nodes.inverse_mass, at);
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < components; ++c) {
     const Lanes before = load<Lanes>(nodes.velocity[c], at);
     const Lanes after = step.keep * before + impulse * force[c];
     const Lanes middle = 0.5 * (before + after);
@@ -71,6 +72,7 @@ void assemble(const int* block, int count, int next, const RowForces<Real>& its_
   return load<Lanes>(nodes.mass, at) * square;
 }
 
+template <int components>
 void advance(const NodeMotion& its_nodes, const LeapfrogStep& its_step, const int* block, int count,
              double (&sums)[lane_count]) {
   const NodeMotion nodes = its_nodes;
@@ -78,14 +80,15 @@ void advance(const NodeMotion& its_nodes, const LeapfrogStep& its_step, const in
   Lanes sum = load_lanes(sums);
   for (int k = 0; k < count; ++k) {
     const auto at = block_at(block[k]);
-    const Lanes force[3] = {load<Lanes>(nodes.force[0], at), load<Lanes>(nodes.force[1], at),
-                            load<Lanes>(nodes.force[2], at)};
+    Lanes force[components];
+#pragma GCC unroll 3
+    for (int c = 0; c < components; ++c) force[c] = load<Lanes>(nodes.force[c], at);
     sum += move_nodes(nodes, step, block[k], force);
   }
   store_lanes(sums, sum);
 }
 
-template <class Real>
+template <int components, class Real>
 void move(const int* block, int count, int next, const RowForces<Real>& its_row, const RowForces<Real>& row_below,
           const NodeMotion& its_nodes, const LeapfrogStep& its_step, double (&sums)[lane_count]) {
   const RowForces<Real> here = its_row, below = row_below;
@@ -93,8 +96,9 @@ void move(const int* block, int count, int next, const RowForces<Real>& its_row,
   const LeapfrogStep step = its_step;
   Lanes sum = load_lanes(sums);
   for (int k = 0; k < count; ++k) {
-    const Lanes force[3] = {assembled(here, below, next, block[k], 0), assembled(here, below, next, block[k], 1),
-                            assembled(here, below, next, block[k], 2)};
+    Lanes force[components];
+#pragma GCC unroll 3
+    for (int c = 0; c < components; ++c) force[c] = assembled(here, below, next, block[k], c);
     sum += move_nodes(nodes, step, block[k], force);
   }
   store_lanes(sums, sum);
@@ -104,8 +108,10 @@ void move(const int* block, int count, int next, const RowForces<Real>& its_row,
 
 extern const NodeLoops loops_of_nodes;
 const NodeLoops loops_of_nodes = {
-    .of_double = {.clear = clear<double>, .assemble = assemble<double>, .move = move<double>},
-    .of_single = {.clear = clear<float>, .assemble = assemble<float>, .move = move<float>},
-    .advance = advance};
+    .of_double = {.clear = clear<double>, .assemble = assemble<3, double>, .move = move<3, double>},
+    .of_single = {.clear = clear<float>, .assemble = assemble<3, float>, .move = move<3, float>},
+    .flat = {.clear = clear<double>, .assemble = assemble<2, double>, .move = move<2, double>},
+    .advance = advance<3>,
+    .advance_flat = advance<2>};
 
 }  // namespace weaveform::WEAVEFORM_SET

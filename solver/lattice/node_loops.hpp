@@ -55,7 +55,9 @@ struct ForceLoops {
 struct NodeLoops {
   ForceLoops<double> of_double;
   ForceLoops<float> of_single;
+  ForceLoops<double> flat;  // of x and y alone (element_loops.hpp)
   AdvanceLoop advance;
+  AdvanceLoop advance_flat;
 
   template <class Real>
   [[nodiscard]] const ForceLoops<Real>& of() const {

@@ -37,6 +37,7 @@ BandMove Motion::begin(State& state, std::vector<Grip>& grips, double step_befor
   BandMove move = {.blocks = blocks_,
                    .nodes = {},
                    .step = {.keep = (1.0 - half) / (1.0 + half), .kick = kick / (1.0 + half), .drift = step},
+                   .advance = flat_ ? node_loops().advance_flat : node_loops().advance,
                    .sums = sums_};
   move.nodes.inverse_mass = inverse_mass_.data();
   move.nodes.mass = mass_.data();
@@ -59,13 +60,12 @@ void Motion::move_free(const BandMove& move) {
 
 // One sum per part and lane, added in order: the same bits for any number of threads.
 double Motion::move_waiting(const BandMove& move) {
-  const AdvanceLoop advance_nodes = node_loops().advance;
   const int count = static_cast<int>(waiting_.size());
   team_.run(static_cast<int>(waiting_sums_.size()), [&](int part) {
     const int first = part * blocks_at_a_time;
     waiting_sums_[part] = {};
-    advance_nodes(move.nodes, move.step, waiting_.data() + first, std::min(blocks_at_a_time, count - first),
-                  waiting_sums_[part].lane);
+    move.advance(move.nodes, move.step, waiting_.data() + first, std::min(blocks_at_a_time, count - first),
+                 waiting_sums_[part].lane);
   });
   double sum = 0.0;
   for (const auto* sums : {&sums_, &waiting_sums_})

@@ -21,6 +21,9 @@ public:
   // `waits`: per packed node, whether more than the lattice's elements may pull at it (waiting_nodes()).
   Motion(const PackedMesh& packed, const Bands& bands, const std::vector<char>& waits, double damping, Team& team);
 
+  // Whether nodes move in x and y alone, as where all else along z is zero (lattice/element_loops.hpp). Not until set.
+  void set_flat(bool flat) { flat_ = flat; }
+
   struct Outcome {
     double kinetic = 0.0;            // mJ; at the time of the forces, v0 = (v- + v+)/2
     double kick = 0.0;               // s; what the grip forces were averaged over
@@ -45,6 +48,7 @@ private:
   NodesByWaiting blocks_;
   std::vector<int> waiting_;  // all blocks that wait, yarn ends included
   double damping_;
+  bool flat_ = false;
   Team& team_;
   Doubles inverse_mass_;                // 1/tonne; 0 where no node is
   Doubles mass_;                        // tonne; 0 where no node is

@@ -70,6 +70,31 @@ void Ply::add_own_actors(const PlySetup& setup) {
 
 void Ply::add(std::unique_ptr<Actor> actor) {
   actors_.push_back(std::move(actor));
+  set_flat(false);
+}
+
+bool Ply::lies_flat() const {
+  const auto zero = [](const Doubles& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0.0; });
+  };
+  const auto& grips = holds_.grips();
+  return zero(state_.position[2]) && zero(state_.velocity[2]) &&
+         std::all_of(grips.begin(), grips.end(), [](const Grip& grip) { return grip.direction[2] == 0.0; });
+}
+
+void Ply::seek_plane() {
+  set_flat(!stays_in_space_ && actors_.empty() && forces_.has_flat_loops() && lies_flat());
+}
+
+void Ply::leave_plane() {
+  stays_in_space_ = true;
+  set_flat(false);
+}
+
+void Ply::set_flat(bool flat) {
+  flat_ = flat;
+  forces_.set_flat(flat);
+  motion_.set_flat(flat);
 }
 
 bool Ply::passes_reach() {

@@ -67,6 +67,13 @@ public:
   void perturb(double size, std::uint64_t seed);
   // Acts after those the ply has by itself, and is asked for step and energies like them.
   void add(std::unique_ptr<Actor> actor);
+  // From a start that is flat (z = 0) and at rest along z, with nothing that pulls out of the plane, a ply moves in the
+  // plane alone, with the same bits in three quarters of the time. To be asked for when its state is set, at the start or
+  // read from an archive.
+  void seek_plane();
+  [[nodiscard]] bool is_flat() const { return flat_; }
+  // Never again; for who may push nodes out of the plane, or put them there.
+  void leave_plane();
 
   // s; the stable step of yarns and cells alone at the start, with the stiffest tangents; with every node held that of
   // the same ply let go.
@@ -120,6 +127,8 @@ public:
 
 private:
   void add_own_actors(const PlySetup& setup);
+  [[nodiscard]] bool lies_flat() const;
+  void set_flat(bool flat);
   void note_motion(const Motion::Outcome& outcome, double step_before);
   [[nodiscard]] std::string lost_position(const std::function<std::string()>& advice) const;
   [[nodiscard]] std::string torn_yarn(const std::function<std::string()>& advice, bool is_hasty) const;
@@ -147,6 +156,7 @@ private:
   const Shell* shell_ = nullptr;            // one of them
   const TensionShear* coupling_ = nullptr;  // likewise
   double fabric_step_ = 0.0;                // s
+  bool flat_ = false, stays_in_space_ = false;
 
   std::array<double, 2> yarn_modulus_ = {0.0, 0.0};  // MPa; that the step is stable with, of each family
   double kinetic_ = 0.0, damping_work_ = 0.0;        // mJ

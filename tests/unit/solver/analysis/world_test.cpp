@@ -81,6 +81,44 @@ TEST(World, OnePassGivesTheBitsOfForcesAndThenMotion) {
     }
 }
 
+// Without z the same sums in the same order: what z would add is zero.
+TEST(World, AFlatPlyMovesInItsPlaneWithTheBitsOfOneInSpace) {
+  for (const std::string card : {"twintex-pw", "twintex-tw"})
+    for (const double yarn_angle : {0.0, 20.0, 45.0}) {
+      Scene scene = pulled(card, yarn_angle, 4.0);
+      scene.blank.size = {160.0, 240.0};
+      test::SmallWorld in_space({scene});
+      in_space->ply(0).leave_plane();
+      in_space.run(300);
+      EXPECT_FALSE(in_space->ply(0).is_flat());
+      for (const int threads : {1, 2}) {
+        test::SmallWorld flat({scene}, std::numeric_limits<double>::infinity(), threads);
+        flat.run(300);
+        EXPECT_TRUE(flat->ply(0).is_flat());
+        EXPECT_EQ(state_digest(*flat), state_digest(*in_space)) << card << ", " << yarn_angle << " deg";
+      }
+    }
+}
+
+TEST(World, WhatMayLeaveThePlaneIsSolvedInSpace) {
+  const auto is_flat = [](const Scene& scene) {
+    test::SmallWorld world({scene});
+    world->start();
+    return world->ply(0).is_flat();
+  };
+  const Scene flat = pulled("twintex-pw", 30.0, 4.0);
+  EXPECT_TRUE(is_flat(flat));
+  Scene weight = flat, beams = flat, lifted = flat, pulled_up = flat, single = flat, contravariant = flat;
+  weight.analysis.gravity = {0.0, 0.0, -9810.0};
+  beams.model.yarn = YarnElement::beam;
+  lifted.blank.position[2] = 1.0;
+  pulled_up.grip.back().direction = Vec3{0.0, 1.0, 1e-3};
+  single.analysis.precision = Precision::single_precision;  // has no loops of its own for the plane
+  contravariant.model.formulation = Formulation::contravariant;
+  for (const Scene& scene : {weight, beams, lifted, pulled_up, single, contravariant, test::drawing()})
+    EXPECT_FALSE(is_flat(scene));
+}
+
 TEST(World, WithAnActorForcesAndMotionAreApart) {
   Scene scene = pulled("twintex-pw", 0.0, 1.0);
   scene.model.yarn = YarnElement::beam;
