@@ -329,10 +329,12 @@ Placement match_field(const MeasuredStage& stage, const Simulation& simulation, 
   placement.residual = std::sqrt(match.sum_of_squares / std::max(1, match.used));
   const double variance =
       match.sum_of_squares / std::max(1.0, 2.0 * match.used - static_cast<double>(match.normal.rows()));
-  const Normal covariance = variance * match.normal.inverse();
+  const auto factors = match.normal.ldlt();
+  const auto unknowns = match.normal.rows();
+  const Normal covariance = variance * factors.solve(Normal::Identity(unknowns, unknowns));
   placement.angle_error = std::sqrt(covariance(0, 0));
   placement.shift_error = std::sqrt(0.5 * (covariance(1, 1) + covariance(2, 2)));
-  const double conditioned = match.normal.ldlt().rcond();
+  const double conditioned = factors.rcond();
   // The normal matrix mixes radians and mm: a scale of the specimen's size makes it comparable.
   if (!(conditioned > 1e-14) || !(placement.shift_error < 0.05 * (flat.extent()[3] - flat.extent()[1])))
     throw InputError(
