@@ -97,10 +97,15 @@ void write_forming_of_plies(const Resolved& model, const Evaluation& evaluation,
   for (std::size_t k = 0; k < model.ply.size(); ++k) {
     const PlySummary& ply = evaluation.summary.ply[k];
     if (!ply.forming) continue;
-    const std::filesystem::path own = directory / file_name::plies / ply.name;
-    std::filesystem::create_directories(own);
-    write_forming(*ply.forming, model.ply[k].mesh, fields_of_ply(evaluation.end, model.mesh, k), own);
+    write_forming(*ply.forming, model.ply[k].mesh, fields_of_ply(evaluation.end, model.mesh, k),
+                  ply_folder(directory, ply.name));
   }
+}
+
+std::vector<const Card*> cards_of(const Resolved& model) {
+  std::vector<const Card*> cards;
+  for (std::size_t k = 0; k < model.plies(); ++k) cards.push_back(&model.of_ply(k).card);
+  return cards;
 }
 
 }  // namespace
@@ -122,10 +127,10 @@ Evaluation evaluate(ResultFolder& folder) {
   summary.grip = summarise_grips(scene, history);
   summary.tool = summarise_tools(scene, history);
   summary.measure = summarise_measures(scene, history);
+  if (scene.frame) summary.frame = compare_shear_frame(model.of_ply(0).scene, cards_of(model), history);
   if (model.ply.empty()) {
     if (const auto specimen = find_bias_extension(scene))
       summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
-    if (scene.frame) summary.frame = compare_shear_frame(scene, card, history);
     summary.forming = evaluate_forming(scene, mesh, model.tools, end, history);
     summary.folds = find_folds(scene, mesh, end.position);
     summary.waves = waves_of(model, end, summary.forming);
@@ -155,7 +160,7 @@ PostAnswers post_process(ResultFolder& folder, const Evaluation& evaluation) {
 }
 
 FileNames ply_files() {
-  return below(std::string(file_name::plies) + "/*", forming_files());
+  return in_ply_folders(forming_files());
 }
 
 FileNames post_files() {

@@ -5,14 +5,11 @@
 #include <vector>
 
 #include "core/files/owned_files.hpp"
+#include "post/output/ply_folder.hpp"
 #include "post/output/summary.hpp"
 #include "solver/result/result_folder.hpp"
 
 namespace weaveform {
-
-namespace file_name {
-inline constexpr const char* plies = "plies";
-}
 
 // What a result's last frame and its history come to.
 struct Evaluation {

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/stage_log.hpp"
@@ -15,6 +17,9 @@
 #include "app/stages/stages.hpp"
 #include "core/files/files.hpp"
 #include "core/json/json_text.hpp"
+#include "mesher/resolve/of_ply.hpp"
+#include "mesher/resolve/stack.hpp"
+#include "mesher/scene/ply_scene.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/scene/taken.hpp"
 
@@ -23,6 +28,8 @@ namespace weaveform {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double same_place = 1e-6;  // mm
 
 struct ImportArguments {
   std::string file, scene, part, output;
@@ -42,28 +49,64 @@ void keep_tools(const ForeignMesh& file, const fs::path& directory, Scene& scene
   }
 }
 
+// Of a stack each ply from the part of its name, where it lies in the file.
+ImportedMesh import_plies(const ForeignMesh& file, Resolved& model) {
+  ImportedMesh all;
+  std::vector<std::string> names;
+  for (const PlySpec& ply : model.scene.ply) names.push_back(ply.name);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    Resolved& ply = model.ply.emplace_back();
+    ply.scene = scene_of_ply(model.scene, k);
+    of_ply(model, k, [&] {
+      ply.card = load_card(ply.scene.fabric.material, model.scene.file);
+      ImportedMesh own = import_foreign(file, ply.scene, ply.card, names[k], names);
+      ply.mesh = std::move(own.mesh);
+      for (const std::string& note : own.notes) all.notes.push_back(fmt::format("ply '{}': {}", names[k], note));
+    });
+    const double z = ply.mesh.nodes.position.front()[2];
+    const std::optional<std::array<double, 3>> asked = model.scene.ply[k].position;
+    if (asked && std::abs((*asked)[2] - z) > same_place)
+      all.notes.push_back(
+          fmt::format("ply '{}': lies at z = {:.6g} mm, not at the {:.6g} mm of its 'position'; the mesh counts",
+                      names[k], z, (*asked)[2]));
+    ply.scene.blank.position[2] = z;
+    model.scene.ply[k].position = ply.scene.blank.position;
+  }
+  join_plies(model);
+  all.mesh = model.mesh;
+  return all;
+}
+
+// What Weaveform wrote has its scene with it.
+ImportedMesh import_as_written(const ImportArguments& arguments, const ForeignMesh& file, Resolved& model) {
+  if (!arguments.part.empty()) throw InputError("--part goes with --scene: it names the fabric in a file of others");
+  ImportedMesh imported = import_own(file);
+  model.scene = read_scene_text(imported.scene, arguments.file, arguments.overrides);
+  model.card = load_card(model.scene.fabric.material, model.scene.file);
+  return imported;
+}
+
+ImportedMesh import_by_scene(const ImportArguments& arguments, const ForeignMesh& file, Resolved& model) {
+  model.scene = read_scene(arguments.scene, arguments.overrides);
+  if (leaves_open(model.scene))
+    throw InputError(arguments.scene +
+                     ": a mesh from elsewhere has cells of its own, which no accuracy chooses; give blank.coarsening, "
+                     "model.yarn and model.cell in place of \"auto\"");
+  if (model.scene.ply.empty()) {
+    model.card = load_card(model.scene.fabric.material, model.scene.file);
+    return import_foreign(file, model.scene, model.card, arguments.part);
+  }
+  if (!arguments.part.empty())
+    throw InputError("--part names the one fabric in a file; the plies of a stack are the parts of their names");
+  return import_plies(file, model);
+}
+
 void run_import(const ImportArguments& arguments) {
   const ForeignMesh file = read_foreign_mesh(arguments.file);
   const fs::path directory = arguments.output;
-  ImportedMesh imported;
   Resolved model;
-  if (arguments.scene.empty()) {
-    if (!arguments.part.empty()) throw InputError("--part goes with --scene: it names the fabric in a file of others");
-    imported = import_own(file);
-    model.scene = read_scene_text(imported.scene, arguments.file, arguments.overrides);
-    model.card = load_card(model.scene.fabric.material, model.scene.file);
-  } else {
-    model.scene = read_scene(arguments.scene, arguments.overrides);
-    if (!model.scene.ply.empty())
-      throw InputError(arguments.scene + ": a mesh from elsewhere is one ply; leave [[ply]] and [stack] out");
-    if (leaves_open(model.scene))
-      throw InputError(
-          arguments.scene +
-          ": a mesh from elsewhere has cells of its own, which no accuracy chooses; give blank.coarsening, "
-          "model.yarn and model.cell in place of \"auto\"");
-    model.card = load_card(model.scene.fabric.material, model.scene.file);
-    imported = import_foreign(file, model.scene, model.card, arguments.part);
-  }
+  ImportedMesh imported =
+      arguments.scene.empty() ? import_as_written(arguments, file, model) : import_by_scene(arguments, file, model);
   model.mesh = std::move(imported.mesh);
   OutputClaim claim = result_claim(directory, model.scene);
   for (const auto& each : file.files) claim.inputs.push_back(each);

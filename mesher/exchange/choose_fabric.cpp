@@ -87,12 +87,18 @@ struct Chooser {
     return both.front();
   }
 
-  std::vector<std::string> left_out(std::size_t fabric) const {
+  std::vector<std::string> left_out(std::size_t fabric, const std::vector<std::string>& others) const {
+    const auto is_other = [&](const ForeignInstance& one) {
+      return std::any_of(others.begin(), others.end(), [&](const std::string& name) {
+        return upper(name) == upper(one.name) || upper(name) == upper(one.part);
+      });
+    };
     std::vector<std::string> notes;
     if (unnamed > 0)
       notes.push_back(fmt::format("{} lines are in neither of the element sets 'warp' and 'weft'; left out", unnamed));
     for (std::size_t k = 0; k < instance.size(); ++k) {
-      if (k == fabric || instance[k].line.size() + instance[k].shell.size() == 0) continue;
+      if (k == fabric || instance[k].line.size() + instance[k].shell.size() == 0 || is_other(file.instance[k]))
+        continue;
       notes.push_back(
           fmt::format("{}: {} lines and {} shells are no part of the fabric, and no tool of the scene (shape "
                       "\"triangles\") has its name; left out",
@@ -104,7 +110,8 @@ struct Chooser {
 
 }  // namespace
 
-FabricElements choose_fabric(const ForeignMesh& file, const std::vector<std::string>& tools, const std::string& part) {
+FabricElements choose_fabric(const ForeignMesh& file, const std::vector<std::string>& tools, const std::string& part,
+                             const std::vector<std::string>& others) {
   const std::set<int> warp = lines_named(file, "warp");
   std::set<int> yarns = lines_named(file, "weft");
   if (warp.empty() || yarns.empty())
@@ -136,7 +143,7 @@ FabricElements choose_fabric(const ForeignMesh& file, const std::vector<std::str
   if (found.yarn.empty() || found.cell.empty())
     chooser.fail(fmt::format("{} has {} lines and {} shells; a fabric has yarns (two-node lines) and cells (shells)",
                              name_of(file.instance[fabric]), found.yarn.size(), found.cell.size()));
-  found.notes = chooser.left_out(fabric);
+  found.notes = chooser.left_out(fabric, others);
   return found;
 }
 

@@ -29,9 +29,10 @@ struct ImportedMesh {
 // says, else the direction nearest to the scene's yarn_angle. Node sets named like the scene's grips hold it. Yarns per
 // line from the area beside it and the card's interval; masses, jaws, soft and tied ends as for our own mesh. Shells
 // named like a tool of shape "triangles" are left out (tool_surface). `part` names the fabric's part or instance where
-// several could be it (choose_fabric.hpp). Throws InputError with what does not fit.
+// several could be it (choose_fabric.hpp); `others` are parts of which nothing is noted, those of other plies. Throws
+// InputError with what does not fit.
 [[nodiscard]] ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const Card& card,
-                                          const std::string& part = "");
+                                          const std::string& part = "", const std::vector<std::string>& others = {});
 
 // The shells with a tool's name (shells_named) as STL text, when there are any.
 [[nodiscard]] std::optional<std::string> tool_surface(const ForeignMesh& file, const std::string& tool);

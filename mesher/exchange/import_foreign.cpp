@@ -47,11 +47,11 @@ struct Recovery {
     throw InputError(fmt::format("{}: {}", file.where(element), what));
   }
 
-  void take_elements(const std::string& part) {
+  void take_elements(const std::string& part, const std::vector<std::string>& others) {
     std::vector<std::string> tools;
     for (const auto& tool : scene.tools)
       if (tool.shape == ToolShape::triangles) tools.push_back(tool.name);
-    FabricElements chosen = choose_fabric(file, tools, part);
+    FabricElements chosen = choose_fabric(file, tools, part, others);
     yarn = std::move(chosen.yarn);
     cell = std::move(chosen.cell);
     in_warp = std::move(chosen.in_warp);
@@ -404,7 +404,8 @@ struct Recovery {
 
 }  // namespace
 
-ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const Card& card, const std::string& part) {
+ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const Card& card, const std::string& part,
+                            const std::vector<std::string>& others) {
   if (scene.frame)
     throw InputError(
         fmt::format("{}: a shear frame ([frame]) is built around the blank by 'weaveform mesh' only", scene.file));
@@ -413,7 +414,7 @@ ImportedMesh import_foreign(const ForeignMesh& file, const Scene& scene, const C
         fmt::format("{}: a draped start ([drape]) is made by 'weaveform mesh' only; import a flat blank", scene.file));
   Recovery work{file, scene, card};
   work.notes = file.notes;
-  work.take_elements(part);
+  work.take_elements(part, others);
   work.flatten();
   work.find_directions();
   work.find_places();

@@ -16,6 +16,11 @@ namespace {
 // Corners in units of half the frame's side, yarn coordinates, in order around from the base.
 constexpr std::array<std::array<double, 2>, 4> corner_sign = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 
+// The frame's number of the corner that is number k to the yarns.
+std::size_t frame_corner(int k, const FrameSpec& frame) {
+  return static_cast<std::size_t>((k + frame.turn) % 4);
+}
+
 // The member that yarns of a family meet at their low or high end, as its two corners in order of the other axis.
 std::array<int, 2> member(int family, int side) {
   if (family == 0) return side == 0 ? std::array<int, 2>{0, 3} : std::array<int, 2>{1, 2};
@@ -29,7 +34,9 @@ void add_tied_arm(const YarnEnd& end, int family, const FrameSpec& frame, const 
   const auto& x = mesh.nodes.position[tied];
   const Vec2 place = whole.forward({x[0] - blank.position[0], x[1] - blank.position[1]});
   const auto [from, to] = member(family, end.side);
-  mesh.tie.push_back({tied, {mesh.frame.corner[from], mesh.frame.corner[to]}, place[1 - family] / frame.length + 0.5});
+  mesh.tie.push_back({tied,
+                      {mesh.frame.corner[frame_corner(from, frame)], mesh.frame.corner[frame_corner(to, frame)]},
+                      place[1 - family] / frame.length + 0.5});
 }
 
 }  // namespace
@@ -53,8 +60,8 @@ void attach_frame(const Scene& scene, const Card& card, Mesh& mesh) {
   const auto& frame = *scene.frame;
   const double member_mass = frame.density * frame.section * frame.length * frame.mass_scale;
   std::array<std::vector<YarnEnd>, 2> ends = {yarn_ends(mesh, 0), yarn_ends(mesh, 1)};
-  for (std::size_t k = 0; k < 4; ++k)  // half of two members each
-    mesh.frame.corner[k] =
+  for (int k = 0; k < 4; ++k)  // half of two members each
+    mesh.frame.corner[frame_corner(k, frame)] =
         add_node(mesh, scene.blank, {0.5 * frame.length * corner_sign[k][0], 0.5 * frame.length * corner_sign[k][1]},
                  member_mass);
   for (int family = 0; family < 2; ++family)

@@ -99,6 +99,7 @@ struct MeshTie {
 struct MeshFrame {
   std::array<int, 4> corner = {-1, -1, -1, -1};  // nodes in order around: base, side, pulled, side; -1: no frame
   [[nodiscard]] bool present() const { return corner[0] >= 0; }
+  bool operator==(const MeshFrame&) const = default;
 };
 
 // One ply of a stack whose plies' meshes stand one after another in one (mesher/mesh/stack.hpp): where its own begins.
@@ -109,6 +110,7 @@ struct MeshPly {
   std::array<double, 2> spacing = {0.0, 0.0};  // mm; as Mesh's, of this ply
   std::array<int, 2> lattice_size = {0, 0};
   double thickness = 0.0;  // mm
+  MeshFrame frame;         // its corners, as nodes of the stack
   bool operator==(const MeshPly&) const = default;
 };
 

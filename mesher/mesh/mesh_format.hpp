@@ -25,7 +25,8 @@ namespace weaveform::mesh_format {
 // Of a stack also
 //   cell, point  ply, its number from 0, the lowest, on
 //   field data   plies_first (per ply: its first node, yarn element, cell, tie and lattice row), plies_spacing_mm,
-//                plies_lattice_size, plies_thickness_mm (per ply), and for each ply one array ply_NAME, its number
+//                plies_lattice_size, plies_thickness_mm (per ply), plies_frame_corner (per ply, as frame_corner; in a
+//                shear frame only), and for each ply one array ply_NAME, its number
 inline const std::string set_prefix = "set_";
 inline const std::string flat_name = "flat_position_mm";
 inline const std::string ply_prefix = "ply_";

@@ -187,6 +187,14 @@ void get_ties(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
   if (!all_valid) wanted.complain("a tie or the shear frame names a point that is not there, or a tie its own node");
 }
 
+void get_frames(Wanted& wanted, const VtuGrid& grid, std::vector<MeshPly>& plies) {
+  if (find_array(grid.field_data, "plies_frame_corner") == nullptr) return;
+  const VtuArray* corner = wanted.array<std::int32_t>(grid.field_data, "plies_frame_corner", 4, plies.size());
+  wanted.stop_if_any();
+  for (std::size_t k = 0; k < plies.size(); ++k)
+    for (std::size_t c = 0; c < 4; ++c) plies[k].frame.corner[c] = corner->at<std::int32_t>(4 * k + c);
+}
+
 // The plies of a stack, whose names stand in the names of arrays.
 void get_plies(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
   const VtuArray* begins = find_array(grid.field_data, "plies_first");
@@ -206,7 +214,9 @@ void get_plies(Wanted& wanted, const VtuGrid& grid, Mesh& mesh) {
                         .first_row = begins->at<std::int32_t>(5 * k + 4),
                         .spacing = {spacing->at<double>(2 * k), spacing->at<double>(2 * k + 1)},
                         .lattice_size = {size->at<std::int32_t>(2 * k), size->at<std::int32_t>(2 * k + 1)},
-                        .thickness = thickness->at<double>(k)});
+                        .thickness = thickness->at<double>(k),
+                        .frame = {}});
+  get_frames(wanted, grid, mesh.ply);
   for (const VtuArray& array : grid.field_data) {
     if (!array.name.starts_with(ply_prefix) || array.size() != 1 || !array.holds<std::int32_t>()) continue;
     const int number = array.at<std::int32_t>(0);

@@ -177,6 +177,14 @@ vtkSmartPointer<vtkIntArray> integers(const std::string& name, const std::vector
   return array;
 }
 
+void put_frames(const std::vector<MeshPly>& plies, vtkUnstructuredGrid& grid) {
+  if (std::none_of(plies.begin(), plies.end(), [](const MeshPly& ply) { return ply.frame.present(); })) return;
+  auto corner = new_array<vtkIntArray>("plies_frame_corner", 4, plies.size());
+  for (std::size_t k = 0; k < plies.size(); ++k)
+    corner->SetTypedTuple(static_cast<vtkIdType>(k), plies[k].frame.corner.data());
+  grid.GetFieldData()->AddArray(corner);
+}
+
 void put_plies(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   if (mesh.ply.empty()) return;
   std::vector<int> on_elements = ply_of_yarns(mesh);
@@ -200,6 +208,7 @@ void put_plies(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   }
   for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{first, spacing, size, thickness})
     grid.GetFieldData()->AddArray(array);
+  put_frames(mesh.ply, grid);
   for (std::size_t k = 0; k < count; ++k)  // names as arrays, for meshio reads no texts
     grid.GetFieldData()->AddArray(integers(ply_prefix + mesh.ply[k].name, {static_cast<int>(k)}));
 }

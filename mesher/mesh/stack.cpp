@@ -60,6 +60,13 @@ std::vector<int> numbers(const Mesh& stack, int MeshPly::*first, int count) {
   return number;
 }
 
+// The frame with its corners `by` nodes further on.
+MeshFrame moved(MeshFrame frame, int by) {
+  if (frame.present())
+    for (int& corner : frame.corner) corner += by;
+  return frame;
+}
+
 int tie_count(const Mesh& mesh) {
   return static_cast<int>(mesh.tie.size());
 }
@@ -75,8 +82,16 @@ Mesh joined_mesh(const std::vector<NamedMesh>& plies) {
   int row = 0;
   for (const auto& [name, mesh] : plies) {
     const Mesh& own = *mesh;
-    const MeshPly at{name, stack.node_count(), stack.yarn_count(), stack.cells.size(), tie_count(stack),
-                     row,  own.spacing,        own.lattice_size,   own.thickness};
+    const MeshPly at{.name = name,
+                     .first_node = stack.node_count(),
+                     .first_yarn = stack.yarn_count(),
+                     .first_cell = stack.cells.size(),
+                     .first_tie = tie_count(stack),
+                     .first_row = row,
+                     .spacing = own.spacing,
+                     .lattice_size = own.lattice_size,
+                     .thickness = own.thickness,
+                     .frame = moved(own.frame, stack.node_count())};
     add_nodes(own, row, with_flat, stack);
     add_elements(own, at, stack);
     add_sets(own, at.first_node, stack);
@@ -126,6 +141,7 @@ Mesh ply_mesh(const Mesh& stack, std::size_t ply) {
   own.spacing = at.spacing;
   own.lattice_size = at.lattice_size;
   own.thickness = at.thickness;
+  own.frame = moved(at.frame, -nodes.first);
   own.first_shown = at.first_node;
   return own;
 }
@@ -177,6 +193,7 @@ std::string check_plies(const Mesh& stack) {
       own = own && is_own(stack.cells.node[entry]);
     for (int t = ties.first; t < ties.last; ++t)
       own = own && is_own(stack.tie[t].node) && is_own(stack.tie[t].to[0]) && is_own(stack.tie[t].to[1]);
+    if (ply.frame.present()) own = own && std::all_of(ply.frame.corner.begin(), ply.frame.corner.end(), is_own);
     if (!own) return fmt::format("ply {} ('{}') is empty or names nodes of another", k, ply.name);
     if (const std::string wrong = ply_mesh(stack, k).check(); !wrong.empty())
       return fmt::format("ply {} ('{}'): {}", k, ply.name, wrong);

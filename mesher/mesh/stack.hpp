@@ -19,7 +19,7 @@ struct NamedMesh {
   const Mesh* mesh;
 };
 
-// Bottom to top. A set of the stack is that of all plies that have one of its name; none may have a frame.
+// Bottom to top. A set of the stack is that of all plies that have one of its name; a frame stays with its ply.
 [[nodiscard]] Mesh joined_mesh(const std::vector<NamedMesh>& plies);
 
 // The ply's own mesh, bit for bit; of the sets those with a node in it.

@@ -5,46 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <limits>
 
 #include "core/error.hpp"
 #include "mesher/automatic/take.hpp"
-#include "mesher/drape/drape.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/mesh/stack.hpp"
+#include "mesher/resolve/drape_stack.hpp"
+#include "mesher/resolve/of_ply.hpp"
 #include "mesher/scene/ply_scene.hpp"
 
 namespace weaveform {
 namespace {
 
 namespace fs = std::filesystem;
-
-// "scene.toml: blank.size: ..." becomes "scene.toml: ply 'top': blank.size: ...".
-std::string with_ply(const std::string& line, const std::string& file, const std::string& ply) {
-  const std::string name = fmt::format("ply '{}': ", ply);
-  const std::string before = file + ": ";
-  return !file.empty() && line.starts_with(before) ? before + name + line.substr(before.size()) : name + line;
-}
-
-// What `look` complains of, it complains of the ply.
-template <class Look>
-void of_ply(const Resolved& model, std::size_t ply, Look look) {
-  const auto renamed = [&](const std::vector<std::string>& complaints) {
-    std::vector<std::string> lines;
-    for (const std::string& line : complaints)
-      lines.push_back(with_ply(line, model.scene.file, model.scene.ply[ply].name));
-    return lines;
-  };
-  try {
-    look();
-  } catch (const InputError& error) {
-    throw InputError(renamed(error.complaints()));
-  } catch (const FileError& error) {
-    throw FileError(renamed(error.complaints()));
-  } catch (const PhysicsError& error) {
-    throw PhysicsError(with_ply(error.what(), model.scene.file, model.scene.ply[ply].name));
-  }
-}
 
 void require_outline_file(const Scene& scene) {
   if (scene.blank.outline.empty()) return;
@@ -75,12 +48,6 @@ void read_pairs(Resolved& model) {
     for (std::size_t i = 0; i < k; ++i) model.pair.push_back(resolve_pair(model.scene, plies[i].name, plies[k].name));
 }
 
-// mm; between the middle planes of a ply and the next.
-double distance_between(const Resolved& model, std::size_t lower) {
-  return 0.5 * (model.ply[lower].card.thickness + model.ply[lower + 1].card.thickness) +
-         model.pair[pair_number(lower, lower + 1)].gap;
-}
-
 void place_plies(Resolved& model) {
   for (std::size_t k = 1; k < model.ply.size(); ++k)
     if (!model.scene.ply[k].position)
@@ -102,15 +69,6 @@ void require_grips(const Resolved& model) {
   if (!complaints.empty()) throw InputError(complaints);
 }
 
-void join(Resolved& model) {
-  std::vector<NamedMesh> plies;
-  for (std::size_t k = 0; k < model.ply.size(); ++k) plies.push_back({model.scene.ply[k].name, &model.ply[k].mesh});
-  model.mesh = joined_mesh(plies);
-  for (std::size_t k = 0; k < model.ply.size(); ++k) model.ply[k].mesh.first_shown = model.mesh.ply[k].first_node;
-  model.card = model.ply.front().card;
-  model.outline = model.ply.front().outline;
-}
-
 // A tool that is laid on the blank lies on the stack's lower or upper face.
 Tool stack_tool(const ToolSpec& spec, const Resolved& model) {
   const Resolved& touched = lies_below(spec) ? model.ply.front() : model.ply.back();
@@ -127,73 +85,25 @@ void give_tools(Resolved& model) {
   }
 }
 
-// mm; from the tool: how near and how far a draped ply comes with its nodes and the middles of its cells, which are
-// chords of the tool.
-struct Standing {
-  double least = std::numeric_limits<double>::infinity(), greatest = -std::numeric_limits<double>::infinity();
-};
-
-Standing standing_of(const Tool& tool, const Mesh& mesh) {
-  Standing found;
-  int hint = 0;
-  const auto look = [&](const std::array<double, 3>& x) {
-    Distances here;
-    tool_distances(tool, tool.start, {x.data(), &x[1], &x[2]}, 1, &hint, here);
-    found.least = std::min(found.least, here.distance[0]);
-    found.greatest = std::max(found.greatest, here.distance[0]);
-  };
-  for (const auto& x : mesh.nodes.position) look(x);
-  for (int c = 0; c < mesh.cells.size(); ++c) look(cell_centre(mesh.cells, c, mesh.nodes.position));
-  return found;
-}
-
-const Tool& draped_tool(const std::vector<Tool>& tools, const std::string& name) {
-  return *std::find_if(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.name == name; });
-}
-
 bool is_there(const std::vector<Tool>& tools, const std::string& name) {
   return std::any_of(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.name == name; });
 }
 
-Mesh draped_at(const Resolved& ply, double off) {
-  std::vector<Tool> tools = ply.tools;
-  for (Tool& tool : tools)
-    if (tool.name == ply.scene.drape->tool) tool.offset = off;
-  Mesh mesh = ply.mesh;
-  lay_drape(ply.scene, drape_blank(ply.scene, mesh, tools), mesh);
-  return mesh;
-}
-
-// Each ply's net lies on those between it and the tool, as far off as its chords and theirs need not to start inside each
-// other: the way of a chord changes little with the distance, so that a few looks find it.
-void drape_stack(Resolved& model) {
-  constexpr int looks = 4;
-  constexpr double room = 1e-3;  // of a thickness
-  const std::string& name = model.scene.drape->tool;
-  const bool from_above = model.scene.drape->projection[2] <= 0.0;
-  const std::size_t count = model.ply.size();
-  double before = 0.0;  // mm; how far the ply before comes from the tool
-  for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t k = from_above ? n : count - 1 - n;
-    Resolved& ply = model.ply[k];
-    const double least = n == 0 ? 0.0 : before + distance_between(model, from_above ? k - 1 : k);
-    const double step = room * ply.card.thickness;
-    double off = n == 0 ? draped_tool(ply.tools, name).offset : least;
-    Mesh mesh;
-    of_ply(model, k, [&] { mesh = draped_at(ply, off); });
-    for (int look = 0; look < looks && n > 0; ++look) {
-      const double lacking = least - standing_of(draped_tool(ply.tools, name), mesh).least;
-      if (lacking <= step) break;
-      off += lacking + step;
-      of_ply(model, k, [&] { mesh = draped_at(ply, off); });
-    }
-    ply.mesh = std::move(mesh);
-    before = standing_of(draped_tool(ply.tools, name), ply.mesh).greatest;
-  }
-  join(model);
-}
-
 }  // namespace
+
+double distance_between(const Resolved& model, std::size_t lower) {
+  return 0.5 * (model.ply[lower].card.thickness + model.ply[lower + 1].card.thickness) +
+         model.pair[pair_number(lower, lower + 1)].gap;
+}
+
+void join_plies(Resolved& model) {
+  std::vector<NamedMesh> plies;
+  for (std::size_t k = 0; k < model.ply.size(); ++k) plies.push_back({model.scene.ply[k].name, &model.ply[k].mesh});
+  model.mesh = joined_mesh(plies);
+  for (std::size_t k = 0; k < model.ply.size(); ++k) model.ply[k].mesh.first_shown = model.mesh.ply[k].first_node;
+  model.card = model.ply.front().card;
+  model.outline = model.ply.front().outline;
+}
 
 void mirror_stack(Resolved& model) {
   std::vector<PlyToMirror> plies;
@@ -234,7 +144,7 @@ void resolve_stack(Resolved& model, Findings& found, const ResolveChecks& checks
   }
   if (whole) whole = found.attempt([&] { require_grips(model); });
   if (!whole) return;
-  join(model);
+  join_plies(model);
   std::vector<ToolSpec> made;
   for (const ToolSpec& spec : model.scene.tools)
     if (found.attempt([&] { model.tools.push_back(stack_tool(spec, model)); })) made.push_back(spec);

@@ -207,6 +207,25 @@ void check_precision(const Scene& scene, const toml::table& analysis, Complaints
   for (const PlySpec& ply : scene.ply) complain(ply.model);
 }
 
+// One frame holds all plies: it has one shape, and one way to move.
+void check_framed_plies(const Scene& scene, const toml::table& root, Complaints& complaints) {
+  if (const toml::table* table = table_at(root, "frame", 0); table != nullptr && !scene.frame->rigid)
+    complaints.add(
+        *table, "members that stretch hold one ply; set rigid = true for a stack in the frame, or leave [[ply]] out");
+  const PlySpec& lowest = scene.ply.front();
+  const auto place = [&](const PlySpec& ply) { return ply.position.value_or(scene.blank.position); };
+  for (std::size_t k = 1; k < scene.ply.size(); ++k) {
+    const PlySpec& ply = scene.ply[k];
+    const toml::table* table = table_at(root, "ply", k);
+    if (table == nullptr) continue;
+    if (ply.blank.size != lowest.blank.size || ply.blank.orientation != lowest.blank.orientation ||
+        place(ply)[0] != place(lowest)[0] || place(ply)[1] != place(lowest)[1])
+      complaints.add(*table, fmt::format("ply '{}' does not lie in the frame as '{}' does; give both the same size, "
+                                         "orientation and x, y of position",
+                                         ply.name, lowest.name));
+  }
+}
+
 constexpr std::size_t most_plies = 100;
 
 // What each ply has of fabric, blank and model is checked like those tables themselves.
@@ -225,8 +244,7 @@ void check_plies(const Scene& scene, const toml::table& root, Complaints& compla
   if (scene.ply.size() > most_plies)
     complaints.add(*table_at(root, "ply", most_plies),
                    fmt::format("{} plies; a stack has {} at most", scene.ply.size(), most_plies));
-  if (scene.frame)
-    complaints.add(*table_at(root, "frame", 0), "a shear frame holds one ply; leave [frame] or [[ply]] out");
+  if (scene.frame) check_framed_plies(scene, root, complaints);
 }
 
 std::vector<std::string> ply_names(const Scene& scene) {

@@ -1,10 +1,23 @@
 #include "mesher/scene/ply_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesher/scene/taken.hpp"
 
 namespace weaveform {
+
+namespace {
+
+// All plies are in one frame: its corners are those of the lowest ply, however the yarns of this one lie between them,
+// and its mass is there once.
+void share_frame(const Scene& scene, const PlySpec& ply, FrameSpec& frame) {
+  const long turns = std::lround((ply.blank.yarn_angle - scene.ply.front().blank.yarn_angle) / 90.0);
+  frame.turn = static_cast<int>((turns % 4 + 4) % 4);
+  frame.mass_scale /= static_cast<double>(scene.ply.size());
+}
+
+}  // namespace
 
 Scene scene_of_ply(const Scene& scene, std::size_t number) {
   const PlySpec& ply = scene.ply[number];
@@ -17,6 +30,7 @@ Scene scene_of_ply(const Scene& scene, std::size_t number) {
   own.model = ply.model;
   own.model.symmetry = scene.model.symmetry;
   own.taken = taken_of_ply(scene.taken, ply.name);
+  if (own.frame) share_frame(scene, ply, *own.frame);
   std::erase_if(own.grip, [&](const GripSpec& grip) {
     return !grip.plies.empty() && std::find(grip.plies.begin(), grip.plies.end(), ply.name) == grip.plies.end();
   });

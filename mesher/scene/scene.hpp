@@ -126,6 +126,7 @@ struct FrameSpec {
   double modulus = 70000.0;        // MPa; aluminium
   double density = 2.7e-9;         // tonne/mm^3; aluminium
   double mass_scale = 1.0;         // factor on the members' mass; the change is reported
+  int turn = 0;  // of a stack's ply, no key: quarter turns, 0 to 3, of its yarns against those of the lowest
   bool operator==(const FrameSpec&) const = default;
 };
 

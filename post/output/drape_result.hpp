@@ -3,6 +3,8 @@
 //                     absolute_shear_angle_deg, folded, extrapolated, family; point data flat_position_mm
 //   flat_pattern.csv  outline of the draped part of the blank, flat (mesher/drape/flat_pattern.hpp)
 //   drape.json        cells, greatest angle, what is wrong and where, rate, warnings
+// Of a stack drape.vtu has all plies, with `ply` as cell and point data, drape.json "plies" by name beside the sums, and
+// each ply's flat pattern lies in plies/NAME.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +15,7 @@
 #include "core/files/owned_files.hpp"
 #include "fabric/card/card.hpp"
 #include "mesher/drape/drape.hpp"
+#include "post/output/ply_folder.hpp"
 
 namespace weaveform {
 
@@ -21,8 +24,20 @@ inline constexpr const char *drape = "drape.vtu", *flat_pattern = "flat_pattern.
 }
 
 [[nodiscard]] inline FileNames drape_files() {
-  return {file_name::drape, file_name::flat_pattern, file_name::drape_numbers};
+  return joined({{file_name::drape, file_name::flat_pattern, file_name::drape_numbers},
+                 in_ply_folders({file_name::flat_pattern})});
 }
+
+// A blank and how it was draped: the flat mesh, and the tools at the distance at which it lies on them.
+struct DrapedBlank {
+  std::string ply;  // of a stack: its name
+  const Scene& scene;
+  const Mesh& mesh;
+  const Card& card;
+  const std::vector<Tool>& tools;
+  const Drape& drape;
+  double off_tool = 0.0;  // mm; of its middle plane
+};
 
 struct DrapeSummary {
   int cells = 0, cells_placed = 0, folded_cells = 0, unreachable_crossings = 0, cells_beyond_card = 0;
@@ -33,15 +48,10 @@ struct DrapeSummary {
 };
 [[nodiscard]] DrapeSummary summarise(const Mesh& mesh, const Card& card, const Drape& drape);
 
-// drape.json, as a document. `mesh` flat.
-[[nodiscard]] nlohmann::ordered_json drape_json(const Scene& scene, const Mesh& mesh, const Card& card,
-                                                const std::vector<Tool>& tools, const Drape& drape);
-// Gives what drape.json holds. `mesh` flat. Throws FileError.
-nlohmann::ordered_json write_drape(const Scene& scene, const Mesh& mesh, const Card& card,
-                                   const std::vector<Tool>& tools, const Drape& drape,
-                                   const std::filesystem::path& directory);
+// One blank, or the plies of a stack from the lowest up. Gives what drape.json holds. Throws FileError.
+nlohmann::ordered_json write_drape(const std::vector<DrapedBlank>& blanks, const std::filesystem::path& directory);
 // A few lines for people, and what the drape says against itself.
-[[nodiscard]] std::string describe_drape(const Mesh& mesh, const Card& card, const Drape& drape);
-[[nodiscard]] std::vector<std::string> drape_warnings(const Mesh& mesh, const Card& card, const Drape& drape);
+[[nodiscard]] std::string describe_drape(const std::vector<DrapedBlank>& blanks);
+[[nodiscard]] std::vector<std::string> drape_warnings(const std::vector<DrapedBlank>& blanks);
 
 }  // namespace weaveform

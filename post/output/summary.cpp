@@ -131,6 +131,7 @@ void add_plies(const Summary& summary, Json& json) {
   for (const PairStatistics& pair : summary.statistics.pairs) {
     Json& entry = json["pairs"][pair.lower + "/" + pair.upper];
     for_each_pair_statistic(pair, [&](const char* name, const auto& value) { entry[name] = value; });
+    entry["mean_pressure_MPa"] = pair.contact_area_mm2 > 0.0 ? pair.force_N / pair.contact_area_mm2 : 0.0;
   }
 }
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/version/version.hpp"
 #include "errors.hpp"
 #include "mesher/resolve/resolve.hpp"
@@ -29,15 +28,15 @@ Resolved model_of(const std::string& scene, const std::vector<std::string>& over
   }};
   Resolved model = resolve(scene, overrides, found, checks);
   found.throw_if_any();
-  if (!model.ply.empty())
-    throw InputError(scene + ": a world in Python's own process holds one ply; run a stack with weaveform.run");
   return model;
 }
 
 class World {
 public:
   World(const std::string& scene, const std::vector<std::string>& overrides, int threads)
-      : steered_(model_of(scene, overrides), threads), warnings_(early_warnings(steered_.model())) {}
+      : steered_(model_of(scene, overrides), threads),
+        grips_(steered_.world()),
+        warnings_(early_warnings(steered_.model())) {}
 
   // Steps taken: fewer than asked for at the end of the run. Other threads of Python go on meanwhile, but not with this
   // world; Ctrl-C comes through between steps.
@@ -61,7 +60,7 @@ public:
 
   Steered& steered() { return steered_; }
   weaveform::World& world() { return steered_.world(); }
-  Ply& ply() { return world().ply(0); }
+  WholeGrips& grips() { return grips_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
@@ -76,8 +75,22 @@ private:
     World& of;
   };
   Steered steered_;
+  WholeGrips grips_;
   std::vector<std::string> warnings_;
   std::atomic<bool> stepping_ = false;
+};
+
+// One ply of a world. Whoever makes it says that it keeps its world (py::keep_alive): views of a ply keep both.
+struct Layer {
+  World& world;
+  std::size_t number;
+
+  [[nodiscard]] Ply& ply() const { return world.world().ply(number); }
+  // Where the ply's nodes, yarn elements and cells begin in those of the whole stack; null of a scene of one ply.
+  [[nodiscard]] const MeshPly* in_stack() const {
+    const auto& plies = world.steered().model().mesh.ply;
+    return plies.empty() ? nullptr : &plies[number];
+  }
 };
 
 py::tuple components(const py::object& self, Components& of, Access access) {
@@ -103,9 +116,31 @@ py::dict mesh_of(const Mesh& mesh) {
   return all;
 }
 
-py::dict fields_of(World& its) {
+// (first node, first yarn element, first cell)
+py::tuple first_of(const Layer& its) {
+  const MeshPly* ply = its.in_stack();
+  return ply == nullptr ? py::make_tuple(0, 0, 0) : py::make_tuple(ply->first_node, ply->first_yarn, ply->first_cell);
+}
+
+// Of a stack: what the ply feels of the others, of its whole.
+void add_slip(const Layer& its, py::dict& all) {
+  const PlyContact* contact = its.world.world().ply_contact();
+  if (contact == nullptr) return;
+  PlyContactState state = contact->state_of(static_cast<int>(its.number));
+  if (its.ply().part() != nullptr) state = unfolded(state, *its.ply().part());
+  std::vector<int> friction;
+  for (const FrictionState one : state.friction) friction.push_back(static_cast<int>(one));
+  all["slip_mm"] = copied(state.slip);
+  all["slip_path_mm"] = copied(state.slip_path);
+  all["ply_pressure_MPa"] = copied(state.pressure);
+  all["other_ply"] = copied(state.other);
+  all["ply_friction_state"] = copied(friction);
+}
+
+py::dict fields_of(const Layer& its) {
   const Ply& ply = its.ply();
-  const Fields fields = compute_fields(ply.whole(), ply.card(), ply.model(), its.world().time(), ply.whole_positions());
+  const Fields fields =
+      compute_fields(ply.whole(), ply.card(), ply.model(), its.world.world().time(), ply.whole_positions());
   std::vector<double> angle = fields.shear_angle;
   for (double& one : angle) one *= degrees;
   py::dict all;
@@ -117,6 +152,7 @@ py::dict fields_of(World& its) {
   all["folded"] = copied(fields.folded);
   all["yarn_strain"] = copied(fields.yarn_strain);
   all["yarn_force_N"] = copied(fields.yarn_force);
+  add_slip(its, all);
   return all;
 }
 
@@ -132,15 +168,23 @@ py::dict energies_of(World& its) {
   return all;
 }
 
-// (name, displacement, force)
+// (name, displacement, force); of one that holds several plies the force on all of them
 py::list grips_of(World& its) {
-  Holds& holds = its.ply().holds();
-  const auto& force = holds.whole_forces();
+  const std::vector<double>& force = its.grips().forces(its.world());
+  const std::vector<double>& displacement = its.grips().displacements(its.world());
   py::list all;
-  for (std::size_t g = 0; g < holds.grips().size(); ++g) {
-    const Grip& grip = holds.grips()[g];
-    all.append(py::make_tuple(grip.name, holds.displacement()[g], force[g]));
-  }
+  for (std::size_t g = 0; g < force.size(); ++g)
+    all.append(py::make_tuple(its.grips().grips()[g].name, displacement[g], force[g]));
+  return all;
+}
+
+// (lower ply's name, upper ply's name, values in the order of inside.Pair)
+py::list pairs_of(World& its) {
+  const auto& plies = its.steered().model().mesh.ply;
+  py::list all;
+  for (const PairReading& is : whole_pairs(its.world()))
+    all.append(py::make_tuple(plies[is.lower].name, plies[is.upper].name, is.area, is.force, is.friction_force,
+                              is.depth, is.pressure, is.greatest_slip, is.mean_slip, is.stored, is.friction_work));
   return all;
 }
 
@@ -166,36 +210,43 @@ py::tuple history_of(World& its) {
   return py::make_tuple(history.column, values);
 }
 
-// Per node that is solved: its number in the whole.
+// Per node that is solved: its number in the ply's whole.
 std::vector<int> whole_nodes(const Ply& ply) {
   std::vector<int> whole(static_cast<std::size_t>(ply.mesh().node_count()));
-  for (std::size_t n = 0; n < whole.size(); ++n) whole[n] = ply.mesh().shown_node(static_cast<int>(n));
+  for (std::size_t n = 0; n < whole.size(); ++n)
+    whole[n] = ply.mesh().shown_node(static_cast<int>(n)) - ply.mesh().first_shown;
   return whole;
 }
 
-void add_arrays(py::class_<World>& world) {
+void add_layer(const py::module_& module) {
   // what is a view of the world's memory keeps it
-  const auto state = [](const py::object& self) -> State& { return self.cast<World&>().ply().state(); };
-  world.def_property_readonly(
+  const auto state = [](const py::object& self) -> State& { return self.cast<Layer&>().ply().state(); };
+  py::class_<Layer> layer(module, "Layer");
+  layer.def_property_readonly(
       "position", [state](const py::object& self) { return components(self, state(self).position, Access::write); });
-  world.def_property_readonly(
+  layer.def_property_readonly(
       "velocity", [state](const py::object& self) { return components(self, state(self).velocity, Access::write); });
-  world.def_property_readonly(
+  layer.def_property_readonly(
       "force", [state](const py::object& self) { return components(self, state(self).force, Access::read); });
-  world.def_property_readonly("mass", [](const py::object& self) {
-    const auto& mass = self.cast<World&>().ply().packed().mass;
+  layer.def_property_readonly("mass", [](const py::object& self) {
+    const auto& mass = self.cast<Layer&>().ply().packed().mass;
     return view(const_cast<double*>(mass.data()), mass.size(), self, Access::read);
   });
-  world.def_property_readonly("order", [](const py::object& self) {
-    const auto& order = self.cast<World&>().ply().packed().packed_of_mesh;
+  layer.def_property_readonly("order", [](const py::object& self) {
+    const auto& order = self.cast<Layer&>().ply().packed().packed_of_mesh;
     return view(order.data(), order.size(), self);
   });
-  world.def_property_readonly("external",
-                              [](const py::object& self) { return view(self.cast<World&>().steered().load(), self); });
-  world.def_property_readonly("whole_node", [](World& its) { return copied(whole_nodes(its.ply())); });
-  world.def("positions", [](World& its) { return copied(its.ply().whole_positions()); });
-  world.def("fields", &fields_of);
-  world.def("mesh", [](World& its) { return mesh_of(its.ply().whole()); });
+  layer.def_property_readonly("external", [](const py::object& self) {
+    Layer& its = self.cast<Layer&>();
+    return view(its.world.steered().load(its.number), self);
+  });
+  layer.def_property_readonly(
+      "name", [](const Layer& its) { return its.in_stack() == nullptr ? std::string() : its.in_stack()->name; });
+  layer.def_property_readonly("first", &first_of);
+  layer.def_property_readonly("whole_node", [](const Layer& its) { return copied(whole_nodes(its.ply())); });
+  layer.def("positions", [](const Layer& its) { return copied(its.ply().whole_positions()); });
+  layer.def("fields", &fields_of);
+  layer.def("mesh", [](const Layer& its) { return mesh_of(its.ply().whole()); });
 }
 
 }  // namespace
@@ -203,9 +254,11 @@ void add_arrays(py::class_<World>& world) {
 
 PYBIND11_MODULE(_inside, module) {
   namespace py = pybind11;
+  using weaveform::inside::Layer;
   using weaveform::inside::World;
   weaveform::inside::pass_errors_on();
   module.attr("version") = weaveform::version_line();
+  weaveform::inside::add_layer(module);
   py::class_<World> world(module, "World");
   world.def(py::init<const std::string&, const std::vector<std::string>&, int>());
   world.def("step", &World::step);
@@ -220,8 +273,15 @@ PYBIND11_MODULE(_inside, module) {
   world.def_property_readonly("parts", [](World& its) { return its.world().parts(); });
   world.def_property_readonly("warnings", &World::warnings);
   world.def("energies", &weaveform::inside::energies_of);
+  world.def_property_readonly("plies", [](World& its) { return its.world().size(); });
+  world.def(
+      "ply",
+      [](World& its, std::size_t number) {
+        return Layer{its, number};
+      },
+      py::keep_alive<0, 1>());
   world.def("grips", &weaveform::inside::grips_of);
+  world.def("pairs", &weaveform::inside::pairs_of);
   world.def("tools", &weaveform::inside::tools_of);
   world.def("history", &weaveform::inside::history_of);
-  weaveform::inside::add_arrays(world);
 }

@@ -35,6 +35,10 @@ Grip.__doc__ = """mm along the grip's motion, and N, the grip's force on the who
 Tool = namedtuple("Tool", "displacement force area force_xyz")
 Tool.__doc__ = """mm, N along the tool's motion (of one at rest: its axis), mm2 in contact, and N as x, y, z: of the tool
 on the whole fabric, instruments of one moment."""
+Pair = namedtuple("Pair", "area force friction_force depth pressure slip mean_slip stored_energy friction_work")
+Pair.__doc__ = """Of two plies of a stack: mm2 that touch; N, the sums of the normal forces and of the sizes of the
+tangential ones; mm, how deep the faces overlap at most; MPa, the greatest pressure; mm, the longest slip path so far and
+the mean over what touches; mJ, stored now and lost to friction so far."""
 
 
 class Vectors:
@@ -77,65 +81,86 @@ class Vectors:
 class Ply:
     """A layer of fabric. What is solved may be a half or quarter of the blank (World.parts): position, velocity, force,
     mass, external and order are of the nodes that are solved; positions, fields, cells and yarns of the whole blank, in
-    the order of mesh.vtu and of the frames."""
+    the order of mesh.vtu and of the frames, where those of a stack's plies stand one after another (first_node)."""
 
-    def __init__(self, world):
-        self._world = world  # of _inside; the views hold on to it too
+    def __init__(self, layer):
+        self._layer = layer  # of _inside, and holds on to its world; so do the views
+
+    @property
+    def name(self):
+        """Of a stack's ply, as the scene has it; "" of a scene of one."""
+        return self._layer.name
+
+    @property
+    def first_node(self):
+        """The number in mesh.vtu of the ply's first node; 0 of a scene of one ply. Numbers here begin at 0 in each."""
+        return self._layer.first[0]
+
+    @property
+    def first_yarn(self):
+        """Of its first yarn element, likewise."""
+        return self._layer.first[1]
+
+    @property
+    def first_cell(self):
+        """Of its first cell, likewise, counted among cells."""
+        return self._layer.first[2]
 
     # views, no copies
 
     @cached_property
     def order(self):
         """(nodes,): where each mesh node that is solved stands in the arrays of position, velocity, force and mass."""
-        return self._world.order
+        return self._layer.order
 
     @property
     def position(self):
         """Vectors, mm. What is set between steps counts in the next one; held and tied nodes go where they belong."""
-        return Vectors(self._world.position, self.order)
+        return Vectors(self._layer.position, self.order)
 
     @property
     def velocity(self):
         """Vectors, mm/s; half a step behind position. May be set likewise."""
-        return Vectors(self._world.velocity, self.order)
+        return Vectors(self._layer.velocity, self.order)
 
     @property
     def force(self):
         """Vectors, N; all that acted on each node, but grips, at the beginning of the last step. Read only."""
-        return Vectors(self._world.force, self.order)
+        return Vectors(self._layer.force, self.order)
 
     @property
     def mass(self):
         """In the solver's order, tonne; as the motion has it: that of tied nodes is with the nodes they follow. Read
         only; where `order` does not point it means nothing."""
-        return self._world.mass
+        return self._layer.mass
 
     @property
     def external(self):
         """(nodes, 3), N, in the order of the mesh nodes that are solved: forces of your own, which act until they are
         changed. Nothing is added to the analysis as long as nobody asks for it. Their work counts as external work."""
-        return self._world.external
+        return self._layer.external
 
     # of what is solved, and of the whole
 
     @cached_property
     def whole_node(self):
-        """(nodes,): the number in mesh.vtu of each mesh node that is solved."""
-        return self._world.whole_node
+        """(nodes,): the number in the whole ply of each mesh node that is solved, from 0 in each ply."""
+        return self._layer.whole_node
 
     def positions(self):
         """(nodes of the whole, 3), mm; a copy."""
-        return self._world.positions()
+        return self._layer.positions()
 
     def fields(self):
         """What a frame shows, computed now by the solver's own functions, by the names that frames have. Of the cells:
         shear_angle_deg, warp_direction, weft_direction, thickness_mm, areal_weight_ratio, folded; of the yarn elements:
-        yarn_strain, yarn_force_N."""
-        return self._world.fields()
+        yarn_strain, yarn_force_N; of the nodes of a stack's ply: slip_mm, slip_path_mm, ply_pressure_MPa, other_ply,
+        ply_friction_state, as the last forces had them."""
+        return self._layer.fields()
 
     @cached_property
     def _mesh(self):
-        return self._world.mesh()
+        return self._layer.mesh()
 
     @property
     def start(self):
@@ -189,6 +214,18 @@ class Ply:
         return self._mesh["sets"]
 
 
+class Plies(tuple):
+    """The plies, from the lowest up: by number, or by name."""
+
+    def __getitem__(self, which):
+        if not isinstance(which, str):
+            return super().__getitem__(which)
+        for ply in self:
+            if ply.name == which:
+                return ply
+        raise KeyError(f"no ply {which!r}; there are {[ply.name for ply in self]}")
+
+
 class World:
     """An analysis from its scene, before its first step. `scene` is a file, `overrides` as weaveform.run takes them,
     `threads` as many as the program would choose unless given; the results hang on neither threads nor views.
@@ -198,11 +235,13 @@ class World:
     def __init__(self, scene, overrides=None, *, threads=0):
         values = [argument[len("--set=") :] for argument in set_arguments(overrides)]
         self._world = _inside.World(fspath(scene), values, int(threads or 0))
-        self.plies = (Ply(self._world),)
+        self.plies = Plies(Ply(self._world.ply(k)) for k in range(self._world.plies))
 
     @property
     def ply(self):
-        """The one ply of a scene."""
+        """The one ply of a scene without [[ply]]; of a stack say which, as plies[0] or plies["NAME"]."""
+        if len(self.plies) > 1:
+            raise ValueError(f"the scene is a stack of {[ply.name for ply in self.plies]}; take one of world.plies")
         return self.plies[0]
 
     def step(self, n=1):
@@ -289,6 +328,12 @@ class World:
         """Grip(displacement, force) by name, at the beginning of the last step: the momentary force, where history has
         means. 0 before the first step."""
         return {name: Grip(*values) for name, *values in self._world.grips()}
+
+    @property
+    def pairs(self):
+        """Pair(area, force, ...) by "LOWER/UPPER", of every two plies of a stack, at the beginning of the last step; 0
+        of those that have not touched."""
+        return {f"{lower}/{upper}": Pair(*values) for lower, upper, *values in self._world.pairs()}
 
     @property
     def tools(self):

@@ -66,7 +66,8 @@ Outputs::Outputs(const Resolved& model, const World& world, std::filesystem::pat
       break;
     }
   if (scene_.frame)
-    recorder_.evaluate_frame({scene_.frame->length, scene_.blank.size[0]}, static_cast<int>(grips_.grips().size()) - 1);
+    recorder_.evaluate_frame({scene_.frame->length, model.of_ply(0).scene.blank.size[0]},
+                             static_cast<int>(grips_.grips().size()) - 1);
   if (!scene_.tools.empty()) recorder_.record_tools(scene_.tools);
   if (!whole_.ply.empty()) recorder_.record_plies(whole_.cells, whole_.ply);
 }

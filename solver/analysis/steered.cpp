@@ -10,7 +10,8 @@ namespace weaveform {
 Steered::Steered(Resolved model, int threads)
     : model_(model.scene.analysis.mass_scale != 1.0 ? with_scaled_mass(std::move(model)) : std::move(model)),
       analysis_(std::make_unique<Analysis>(model_, parts_to_solve(model_), std::filesystem::path(),
-                                           SolveOptions{.threads = threads, .quiet = true})) {
+                                           SolveOptions{.threads = threads, .quiet = true})),
+      load_(world().size(), nullptr) {
   for (std::size_t k = 0; k < world().size(); ++k) world().ply(k).leave_plane();  // its caller may
 }
 
@@ -50,13 +51,13 @@ std::size_t Steered::closed_rows() const {
   return std::min(static_cast<std::size_t>(analysis_->closed_rows()), history().row.size());
 }
 
-std::vector<Vec3>& Steered::load() {
-  if (load_ == nullptr) {
-    auto load = std::make_unique<NodalLoad>(world().ply(0).packed());
-    load_ = load.get();
-    world().ply(0).add(std::move(load));
+std::vector<Vec3>& Steered::load(std::size_t ply) {
+  if (load_[ply] == nullptr) {
+    auto load = std::make_unique<NodalLoad>(world().ply(ply).packed());
+    load_[ply] = load.get();
+    world().ply(ply).add(std::move(load));
   }
-  return load_->force();
+  return load_[ply]->force();
 }
 
 }  // namespace weaveform

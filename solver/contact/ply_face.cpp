@@ -20,6 +20,7 @@ PlyFace::PlyFace(Ply& ply, std::string name, ShearedThickness* sheared)
   find_irregular();
   double mass = 0.0, area = 0.0;
   for (int l = 0; l < lanes(); ++l) {
+    if (!(area_[l] > 0.0)) continue;  // arms and corners of a frame are no fabric
     mass += mass_[l];
     area += area_[l];
   }

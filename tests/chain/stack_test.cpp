@@ -2,6 +2,7 @@
 // bit, wrong stacks are refused with their place, and its plies are layers for structural analysis.
 #include "mesher/mesh/stack.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,6 +74,9 @@ TEST_F(StackChain, EveryAnswerSaysOfWhichPlyItIs) {
   EXPECT_GT(pair.at("mean_slip_mm").get<double>(), 0.5);
   EXPECT_GT(pair.at("friction_work_mJ").get<double>(), 0.0);
   EXPECT_LT(pair.at("max_penetration_mm").get<double>(), 0.25) << "half of a thickness";
+  EXPECT_NEAR(pair.at("mean_pressure_MPa").get<double>() * pair.at("contact_area_mm2").get<double>(),
+              pair.at("force_N").get<double>(), 1e-9 * pair.at("force_N").get<double>());
+  EXPECT_GT(pair.at("max_pressure_MPa").get<double>(), pair.at("mean_pressure_MPa").get<double>());
   // the binder's force goes through the upper ply into the lower one, and with the punch's into the die
   const double binder = answers.at("tools").at("binder").at("force_N"),
                punch = answers.at("tools").at("punch").at("force_N");
@@ -180,7 +184,9 @@ TEST_F(StackChain, WrongStacksAreRefusedWithTheirPlace) {
                    "law.csv:2: the slip is 0 after 0"));
   const std::string cards = refused(stack_blank + stack_plies + "material = \"none.toml\"\n" + stack_pull, 4);
   EXPECT_TRUE(says(cards, "ply 'upper'")) << cards;
-  EXPECT_TRUE(says(refused(stack_blank + stack_plies + "[frame]\n"), "a shear frame holds one ply"));
+  EXPECT_TRUE(says(refused(stack_blank + stack_plies + "[frame]\n"), "set rigid = true for a stack in the frame"));
+  EXPECT_TRUE(says(refused(stack_blank + stack_plies + "size = [90, 90]\n[frame]\nrigid = true\n"),
+                   "ply 'upper' does not lie in the frame as 'lower' does"));
 }
 
 TEST_F(StackChain, CheckAndPlanSpeakOfEveryPly) {
@@ -299,11 +305,101 @@ TEST_F(StackChain, ExportsLayersOfItsOwnShellsAndPliesOneByOne) {
   EXPECT_EQ(mesh.ply.size(), 2U);
 }
 
+TEST_F(StackChain, EachPlyDrapesAsAloneSoFarOffTheTool) {
+  const auto scene = [](const std::string& plies, const std::string& offset) {
+    return "[blank]\nsize = [60, 60]\nyarn_angle = 45\ncoarsening = 2\n" + plies +
+           "[tools.dome]\nshape = \"sphere\"\naxis = [0, 0, -1]\nradius = 50\nposition = [0, 0, -50]\n" + offset +
+           "[drape]\ntool = \"dome\"\n";
+  };
+  write_text(scene("[[ply]]\nname = \"under\"\nyarn_angle = 0\n[[ply]]\nname = \"over\"\n", ""),
+             folder_.path() / "s.toml");
+  run("weaveform drape s.toml --output draped --quiet");
+  const auto drape = nlohmann::json::parse(read_text(folder_.path() / "draped/drape.json"));
+  const auto &under = drape.at("plies").at("under"), &over = drape.at("plies").at("over");
+  EXPECT_EQ(drape.at("cells"), under.at("cells").get<int>() + over.at("cells").get<int>());
+  EXPECT_EQ(drape.at("cells_placed"), drape.at("cells"));
+  EXPECT_GT(over.at("off_tool_mm").get<double>(), 3.0 * under.at("off_tool_mm").get<double>())
+      << "half, one and a half";
+  EXPECT_NEAR(over.at("flat_area_mm2").get<double>(), 3600.0, 1.0) << "all of it lies on the dome";
+  EXPECT_TRUE(fs::exists(folder_.path() / "draped/plies/under/flat_pattern.csv"));
+
+  write_text(scene("", fmt::format("offset = {}\n", over.at("off_tool_mm").get<double>())),
+             folder_.path() / "one.toml");
+  run("weaveform drape one.toml --output alone --quiet");
+  const fs::path all = folder_.path() / "draped/drape.vtu", one = folder_.path() / "alone/drape.vtu";
+  const auto alone = read_frame_positions(one), stack = read_frame_positions(all);
+  ASSERT_GT(stack.size(), alone.size());
+  EXPECT_TRUE(std::equal(alone.rbegin(), alone.rend(), stack.rbegin())) << "the upper ply's nodes come last";
+  const auto of = read_frame_array(all, "ply");
+  EXPECT_EQ(std::count(of.begin(), of.end(), 1.0), static_cast<std::ptrdiff_t>(read_frame_array(one, "family").size()));
+
+  run("weaveform drape one.toml --output draped --quiet");
+  EXPECT_FALSE(fs::exists(folder_.path() / "draped/plies")) << "nothing of an older scene stays";
+}
+
 TEST_F(StackChain, AReportShowsSlipAndHidesPlies) {
   run("weaveform run " + two_ply_hemisphere + " --output one --report" + stack_settings);
   const std::string page = read_text(folder_.path() / "one/report.html");
   for (const char* what : {"\"slip_path\"", "\"ply_pressure\"", "slip of upper on lower", "\"plies\":\"", "ply lower"})
     EXPECT_TRUE(says(page, what)) << what;
+}
+
+// Each ply as a part of one file, as a preprocessor would write it.
+std::string parts_of(const Mesh& stack) {
+  std::string parts, instances;
+  for (std::size_t k = 0; k < stack.ply.size(); ++k) {
+    const Mesh mesh = ply_mesh(stack, k);
+    const std::string& name = stack.ply[k].name;
+    parts += "*PART, NAME=" + name + "\n*NODE\n";
+    for (int n = 0; n < mesh.node_count(); ++n)
+      parts += fmt::format("{}, {}, {}, {}\n", n + 1, mesh.nodes.position[n][0], mesh.nodes.position[n][1],
+                           mesh.nodes.position[n][2]);
+    parts += "*ELEMENT, TYPE=T3D2\n";
+    for (int e = 0; e < mesh.yarn_count(); ++e)
+      parts += fmt::format("{}, {}, {}\n", e + 1, mesh.yarns.node[e][0] + 1, mesh.yarns.node[e][1] + 1);
+    parts += "*ELEMENT, TYPE=M3D4\n";
+    for (int c = 0; c < mesh.cells.size(); ++c) {
+      parts += std::to_string(mesh.yarn_count() + c + 1);
+      for (int a = mesh.cells.offset[c]; a < mesh.cells.offset[c + 1]; ++a)
+        parts += fmt::format(", {}", mesh.cells.node[a] + 1);
+      parts += "\n";
+    }
+    for (const NodeSet& set : mesh.sets) {
+      parts += "*NSET, NSET=" + set.name + "\n";
+      for (const int n : set.node) parts += fmt::format("{}\n", n + 1);
+    }
+    parts += "*END PART\n";
+    instances += fmt::format("*INSTANCE, NAME={0}-1, PART={0}\n*END INSTANCE\n", name);
+  }
+  return parts + "*ASSEMBLY, NAME=all\n" + instances + "*END ASSEMBLY\n";
+}
+
+// Blanks cut along yarns have whole cells only, of which everything can be recovered.
+TEST_F(StackChain, PliesImportedAsPartsGiveTheRunOfTheirOwnMesh) {
+  write_text(
+      "[blank]\nsize = [98.4, 98.4]\nyarn_angle = 0\ncoarsening = 4\n[stack]\nfriction = 0.2\n[[ply]]\nname = "
+      "\"lower\"\n[[ply]]\nname = \"upper\"\n" +
+          stack_pull + "[analysis]\nduration = 0.01\n[output]\nframes = 1\nhistory = 10\n",
+      folder_.path() / "s.toml");
+  run("weaveform run s.toml --output direct --quiet");
+  write_text(parts_of(read_mesh(folder_.path() / "direct/mesh.vtu")), folder_.path() / "parts.inp");
+  run("weaveform import parts.inp --scene s.toml --output back --quiet");
+  const Mesh direct = read_mesh(folder_.path() / "direct/mesh.vtu"), back = read_mesh(folder_.path() / "back/mesh.vtu");
+  ASSERT_EQ(back.ply.size(), 2U);
+  EXPECT_EQ(back.cells.size(), direct.cells.size());
+  EXPECT_DOUBLE_EQ(ply_mesh(back, 1).nodes.position[0][2], direct.ply[0].thickness);
+  run("weaveform solve back --quiet");
+  const double one = read_history(folder_.path() / "direct/history.csv").values("pull.force_N").back(),
+               other = read_history(folder_.path() / "back/history.csv").values("pull.force_N").back();
+  EXPECT_NEAR(other, one, 1e-6 * std::abs(one));
+  const auto says_of = [&](const std::string& options, const std::string& words) {
+    const CommandResult told =
+        run_command("weaveform import parts.inp --scene s.toml --output no" + options, folder_.path());
+    EXPECT_EQ(told.exit_code, 2) << options;
+    EXPECT_TRUE(says(told, words)) << told.err;
+  };
+  says_of(" --part lower", "the plies of a stack are the parts of their names");
+  says_of(" --set ply.1.name=top", "ply 'top': parts.inp: no part or instance is named 'top'");
 }
 
 // In a quarter plies thicken and press as in the whole.

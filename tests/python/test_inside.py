@@ -270,6 +270,124 @@ def test_errors_are_those_of_the_package(examples, tmp_path):
     assert world.step(0) == 0 and world.steps == 0
 
 
+two_plies = {
+    "blank.coarsening": 4,
+    "tools.punch.travel": 15,
+    "analysis.duration": 0.02,
+    "output.frames": 2,
+    "output.history": 20,
+}
+
+
+@pytest.fixture(scope="session")
+def stack(examples, tmp_path_factory):
+    """Two plies drawn a little way, a quarter of them solved."""
+    folder = tmp_path_factory.mktemp("stack") / "result"
+    return wf.run(examples / "hemisphere_two_plies.toml", two_plies, output=folder, progress=False)
+
+
+def test_a_stack_stepped_to_its_end_is_the_programs_run(examples, stack):
+    world = inside.World(examples / "hemisphere_two_plies.toml", two_plies, threads=2)
+    world.run(every=50)
+    assert world.finished and world.steps == stack.statistics["steps"]
+    assert world.history.columns == stack.history.columns
+    for name in world.history.columns:
+        assert np.array_equal(as_written(world.history[name]), as_written(stack.history[name])), name
+    frame = stack.frames[-1]
+    assert np.array_equal(np.concatenate([ply.positions() for ply in world.plies]), frame.positions)
+    for number, ply in enumerate(world.plies):
+        nodes = slice(ply.first_node, ply.first_node + len(ply.start))
+        cells = slice(ply.first_cell, ply.first_cell + len(ply.cells))
+        yarns = slice(ply.first_yarn, ply.first_yarn + len(ply.yarns))
+        assert (frame.points["ply"][nodes] == number).all() and (frame.points["ply"] == number).sum() == len(ply.start)
+        fields = ply.fields()
+        for name in ("slip_mm", "slip_path_mm", "ply_pressure_MPa", "other_ply", "ply_friction_state"):
+            assert np.array_equal(fields[name], frame.points[name][nodes]), name
+        assert np.allclose(fields["shear_angle_deg"], frame.cells["shear_angle_deg"][cells], rtol=1e-12, atol=1e-12)
+        assert np.allclose(fields["yarn_force_N"], frame.yarns["yarn_force_N"][yarns], rtol=1e-12, atol=1e-12)
+        assert np.array_equal(ply.yarns + ply.first_node, frame.yarns.nodes[yarns])
+        there = ply.whole_node[ply.whole_node >= 0]
+        assert there.max() < len(ply.start), "numbers begin at 0 in each ply"
+    pair, row = world.pairs["lower/upper"], {name: values[-1] for name, values in world.history.items()}
+    for value, column in (
+        (pair.area, "contact_area_mm2"),
+        (pair.force, "force_N"),
+        (pair.slip, "slip_mm"),
+        (pair.mean_slip, "mean_slip_mm"),
+        (pair.pressure, "pressure_MPa"),
+        (pair.stored_energy, "stored_energy_mJ"),
+        (pair.friction_work, "friction_work_mJ"),
+    ):
+        assert value == pytest.approx(row[f"lower/upper.{column}"], rel=1e-8), column
+    assert pair.slip > 0.1 and 0.0 < pair.friction_force <= 0.2 * pair.force * (1 + 1e-9)
+
+
+def test_plies_have_numbers_and_names(examples):
+    world = inside.World(examples / "hemisphere_two_plies.toml", two_plies)
+    assert [ply.name for ply in world.plies] == ["lower", "upper"]
+    assert world.plies["upper"] is world.plies[1] and world.plies[1].first_node == len(world.plies[0].start)
+    with pytest.raises(KeyError, match="lower"):
+        world.plies["lowre"]
+    with pytest.raises(ValueError, match="world.plies"):
+        world.ply.positions()
+    x = world.plies["upper"].position.x
+    seen = x.copy()
+    del world
+    gc.collect()
+    assert np.array_equal(x, seen), "a view outlives the names of its world"
+
+
+def test_loads_on_two_plies_go_through_their_pair(tmp_path):
+    """Pressed together by the same force, while the upper one is pulled aside: what each feels of the other is equal and
+    opposite, the work of all loads is the energy there is."""
+    scene = tmp_path / "pressed.toml"
+    scene.write_text(
+        """
+[fabric]
+material = "twintex-pw"
+[blank]
+size = [60.0, 60.0]
+coarsening = 2
+[model]
+symmetry = "none"
+[[ply]]
+name = "lower"
+[[ply]]
+name = "upper"
+yarn_angle = 45
+[stack]
+friction = 0.3
+[analysis]
+duration = 0.01
+""",
+        "utf-8",
+    )
+    world = inside.World(scene)
+    loads = ((0.0, 2.0), (0.3, -2.0))  # N, aside and up, on the lower and on the upper ply; by their masses
+    work, before = 0.0, ()
+    while not world.ended:
+        for ply, (aside, up) in zip(world.plies, loads):
+            mass = ply.mass[ply.order]
+            ply.external[:] = min(1.0, world.time / 0.005) * np.outer(mass / mass.sum(), [aside, 0.0, up])
+        now = [(ply.position.at(), ply.external.copy()) for ply in world.plies]
+        for (x, force), (x_before, force_before) in zip(now, before):
+            work += 0.5 * ((force + force_before) * (x - x_before)).sum()
+        before = now
+        world.step()
+    for ply, (x, force) in zip(world.plies, before):  # the last step's way
+        work += (force * (ply.position.at() - x)).sum()
+    assert world.energies["external"] == pytest.approx(work, rel=1e-9) and work > 1e-3
+    assert abs(world.history["energy_error"][-1]) < 0.02
+    felt = []
+    for ply in world.plies:  # of the other; the ply's own forces sum to nothing, and those of tied nodes are given on
+        own = ply.mass[ply.order] > 0
+        felt.append((ply.force.at()[own] - ply.external[own]).sum(axis=0))
+    pair = world.pairs["lower/upper"]
+    assert np.allclose(felt[0], -felt[1], rtol=0, atol=1e-9 * pair.force)
+    assert -felt[0][2] == pytest.approx(pair.force, rel=0.05)
+    assert 0.0 < felt[0][0] <= 0.3 * pair.force, "it is dragged along"
+
+
 def test_an_exception_of_the_rule_comes_through_and_the_world_goes_on(world, bias):
     class Enough(Exception):
         pass

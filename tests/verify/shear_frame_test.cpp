@@ -4,10 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/vector/angle.hpp"
+#include "mesher/resolve/resolve.hpp"
+#include "post/measure/frame_comparison.hpp"
+#include "tests/support/run_command.hpp"
 #include "tests/support/scene_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
 namespace {
@@ -71,6 +76,64 @@ TEST(ShearFrame, RigidAndDeformableFramesAgree) {
   // 50 N stretch a member of 3.5e7 N by 1e-6; what differs is the 12 g of the members
   for (std::size_t k = 4; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 0.02 * std::abs(b[k]) + 0.01) << "row " << k;
   EXPECT_NEAR(trusses.last("fabric.shear_angle_deg"), rigid.last("fabric.shear_angle_deg"), 0.01);
+}
+
+// A frame shears all plies alike, so that none slides on another: their loads add up, whatever the friction.
+class StackInAFrame : public testing::Test {
+protected:
+  static Scene framed(const std::string& material, std::array<double, 2> coarsening) {
+    Scene scene = example("shear_frame_pw", {"output.history=40", "analysis.duration=0.2", "frame.rigid=true",
+                                             "output.frames=0", "frame.mass_scale=1e-6"});
+    scene.fabric.material = material;
+    scene.blank.coarsening = coarsening;
+    return scene;
+  }
+  // Of the scenes' fabrics, the upper one turned by a quarter.
+  [[nodiscard]] Resolved stacked(const Scene& lower, const Scene& upper, double gap, double friction) const {
+    Scene scene = lower;
+    scene.ply.push_back(
+        {.name = "lower", .fabric = lower.fabric, .blank = lower.blank, .model = lower.model, .position = {}});
+    scene.ply.push_back(
+        {.name = "upper", .fabric = upper.fabric, .blank = upper.blank, .model = upper.model, .position = {}});
+    scene.ply[1].blank.yarn_angle += 90.0;
+    scene.stack.gap = gap;
+    scene.stack.friction = friction;
+    test::write_text(scene_to_toml(scene), folder_.path() / "stack.toml");
+    Findings found;
+    Resolved model = resolve(folder_.path() / "stack.toml", {}, found);
+    found.throw_if_any();
+    return model;
+  }
+  [[nodiscard]] static SolveResult solved(const Resolved& model) {
+    return solve(model, {}, {.threads = 1, .resume = false, .quiet = true});
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(StackInAFrame, PliesApartCarryTwiceTheLoadOfOne) {
+  const Scene one = framed("twintex-pw", {6.0, 6.0});
+  const auto alone = Solved(one).result.history.values("crosshead.force_N"),
+             both = solved(stacked(one, one, 1.0, 0.0)).history.values("crosshead.force_N");
+  ASSERT_EQ(both.size(), alone.size());
+  for (std::size_t k = 1; k < both.size(); ++k) EXPECT_NEAR(both[k], 2.0 * alone[k], 1e-6 * std::abs(alone.back()));
+}
+
+TEST_F(StackInAFrame, UnlikePliesThatRubCarryTheSumAndDoNotSlide) {
+  const Scene plain = framed("twintex-pw", {6.0, 6.0}), twill = framed("twintex-tw", {8.0, 4.0});
+  const Solved lower(plain), upper(twill);
+  const Resolved model = stacked(plain, twill, 0.0, 0.3);
+  const SolveResult both = solved(model);
+  const auto a = lower.result.history.values("crosshead.force_N"), b = upper.result.history.values("crosshead.force_N"),
+             sum = both.history.values("crosshead.force_N");
+  for (std::size_t k = 4; k < sum.size(); ++k)
+    EXPECT_NEAR(sum[k], a[k] + b[k], 0.01 * std::abs(a[k] + b[k]) + 0.01) << "row " << k;
+  EXPECT_LT(both.history.values("lower/upper.slip_mm").back(), 0.05);
+  EXPECT_LT(both.statistics.energy_error, 0.001);
+  const std::vector<const Card*> cards = {&model.ply[0].card, &model.ply[1].card};
+  const Scene& frame = model.ply[0].scene;
+  EXPECT_DOUBLE_EQ(compare_shear_frame(frame, cards, both.history).ideal_load,
+                   compare_shear_frame(frame, {cards[0]}, both.history).ideal_load +
+                       compare_shear_frame(frame, {cards[1]}, both.history).ideal_load);
 }
 
 TEST(ShearFrame, TheIncrementalFormulationDiffersByWhatTheUnitCellSays) {

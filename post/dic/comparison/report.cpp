@@ -220,6 +220,7 @@ std::string verdict_table(const Comparison& c) {
   text += fmt::format("instrument    facet {:.3g} mm, step {:.3g} mm, window {} x {} points ({})\n",
                       c.instrument.facet_size, c.instrument.step, c.instrument.window, c.instrument.window,
                       c.instrument.origin);
+  if (!c.ply.empty()) text += fmt::format("seen          ply '{}' of the stack\n", c.ply);
   const ComparedStage& last = c.stage.back();
   if (std::isfinite(last.displacement_uncertainty))
     text += fmt::format("uncertainty   {:.4f} mm of a displacement component ({}), agreement within {} of them\n",

@@ -40,6 +40,23 @@ TEST_F(StackMesh, ReadsBackBitForBit) {
   EXPECT_EQ(read.ply, stack_.ply);
 }
 
+TEST_F(StackMesh, AFrameStaysWithItsPly) {
+  const test::TemporaryFolder folder;
+  Mesh framed = upper_;
+  framed.frame.corner = {0, 1, 2, 3};
+  const Mesh stack = joined_mesh({{"free", &lower_}, {"framed", &framed}});
+  EXPECT_EQ(stack.check(), "");
+  write_mesh(stack, folder.path() / "mesh.vtu");
+  const Mesh read = read_mesh(folder.path() / "mesh.vtu");
+  EXPECT_EQ(read.ply, stack.ply);
+  EXPECT_EQ(read.ply[1].frame.corner[2], lower_.node_count() + 2);
+  test::expect_same_mesh(ply_mesh(read, 0), lower_);
+  test::expect_same_mesh(ply_mesh(read, 1), framed);
+  Mesh wrong = stack;
+  wrong.ply[1].frame.corner[3] = 0;
+  EXPECT_NE(wrong.check(), "");
+}
+
 // Names may be those of the file's own arrays.
 TEST_F(StackMesh, AnyNameOfAPlyReadsBack) {
   const test::TemporaryFolder folder;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "mesher/resolve/drape_stack.hpp"
 #include "mesher/resolve/resolve.hpp"
 #include "mesher/scene/reader.hpp"
 #include "tests/support/run_command.hpp"
@@ -144,6 +145,13 @@ TEST_F(Stack, DrapedPliesLieClearOfEachOther) {
   EXPECT_GE(lowest - highest, 0.5 * (lower.thickness + upper.thickness) - 1e-3);
   EXPECT_LE(lowest - highest, 0.5 * (lower.thickness + upper.thickness) + 0.01);
   test::expect_same_mesh(ply_mesh(model.mesh, 1), upper);
+  // what 'weaveform drape' shows is that start
+  Findings found;
+  const Resolved flat = resolve(folder_.path() / "s.toml", {}, found, {}, ResolveTo::flat);
+  const std::vector<DrapedPly> laid = drape_plies(flat);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(laid[k].drape.position, model.ply[k].mesh.nodes.position);
+  EXPECT_DOUBLE_EQ(laid[0].off, 0.5 * lower.thickness);
+  EXPECT_GT(laid[1].off, laid[0].off + 0.5 * (lower.thickness + upper.thickness));
 }
 
 TEST_F(Stack, ComplaintsNameThePly) {

@@ -25,7 +25,7 @@ protected:
     const double force = card_.thickness * shear_stress(card_.shear, std::atanh(std::sin(angle)));
     history_.row.push_back({0.0, frame_displacement(frame, angle), ratio * frame_load(frame, force, angle)});
   }
-  [[nodiscard]] FrameComparison compared() const { return compare_shear_frame(scene_, card_, history_); }
+  [[nodiscard]] FrameComparison compared() const { return compare_shear_frame(scene_, {&card_}, history_); }
 
   Scene scene_;
   Card card_ = load_card("twintex-pw", "");

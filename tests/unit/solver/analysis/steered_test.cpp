@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/vector/append.hpp"
 #include "mesher/lattice/build.hpp"
 #include "mesher/resolve/resolve.hpp"
 #include "solver/solve.hpp"
@@ -57,6 +58,25 @@ TEST(Steered, StepsAreThoseOfARun) {
     EXPECT_EQ(run.world().steps(), whole.statistics.steps);
     EXPECT_THROW(run.step(), Interrupted);
   }
+}
+
+// Two plies drawn, a quarter of them solved; loads that are nothing are asked for on both.
+TEST(Steered, StepsOfAStackAreThoseOfARun) {
+  Findings found;
+  const Resolved model = resolve(
+      std::string(WEAVEFORM_SOURCE_DIR) + "/examples/hemisphere_two_plies.toml",
+      {"blank.coarsening=6", "tools.punch.travel=5", "analysis.duration=0.005", "output.frames=0", "output.history=10"},
+      found);
+  found.throw_if_any();
+  const SolveResult whole = solve(model, {}, {.threads = 1, .quiet = true});
+  Steered run(model, 1);
+  for (const std::size_t ply : {0U, 1U}) EXPECT_EQ(run.load(ply).size(), run.world().ply(ply).mesh().nodes.mass.size());
+  EXPECT_NE(&run.load(0), &run.load(1));
+  step_to_the_end(run);
+  EXPECT_EQ(run.history().row, whole.history.row);
+  std::vector<Vec3> all = run.world().ply(0).whole_positions();
+  append(all, run.world().ply(1).whole_positions());
+  EXPECT_EQ(all, whole.position);
 }
 
 TEST(Steered, HistoryOfAnEarlyEndIsTheBeginningOfTheWhole) {
