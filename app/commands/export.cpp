@@ -11,8 +11,10 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/stage_log.hpp"
 #include "app/console.hpp"
 #include "app/stages/checked_model.hpp"
+#include "app/stages/chosen_duration.hpp"
 #include "app/stages/claims.hpp"
 #include "app/stages/mesh_json.hpp"
 #include "core/files/files.hpp"
@@ -22,6 +24,7 @@
 #include "core/version/version.hpp"
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/taken.hpp"
 #include "post/transfer/fibre_field.hpp"
 #include "post/transfer/layered.hpp"
 #include "post/transfer/write_fibre.hpp"
@@ -123,8 +126,12 @@ void export_the_mesh(const ExportArguments& arguments, MeshFormat format) {
     throw InputError(fmt::format("--materials built-in goes with lsdyna, openradioss and calculix; --format {} {}",
                                  arguments.format,
                                  format == MeshFormat::gmsh ? "has no materials" : "takes user materials"));
-  const Resolved model = one_ply_of(model_of(arguments), arguments);
+  Resolved model = one_ply_of(model_of(arguments), arguments);
   require_writable(arguments.output, files_read(arguments, model.scene), arguments.force);
+  if (!fs::is_directory(arguments.from)) {
+    set_duration(model, choose_duration(arguments.from, arguments.overrides));
+    if (!arguments.quiet) log_lines(taken_lines(model.scene));
+  }
   const double duration = choose_loading(model).duration;
   ExportOptions options;
   options.materials = materials.value_or(Materials::built_in);

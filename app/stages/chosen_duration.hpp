@@ -1,6 +1,7 @@
 // The duration of a scene that says how much of the loads inertia may be (analysis.inertia) and leaves the duration to the
-// program: trials on a coarser mesh, for the share goes with 1/duration^2 (post/trust/inertia.hpp) and depends little on
-// the mesh.
+// program: trials on coarser meshes, for the share goes with 1/duration^2 (post/trust/inertia.hpp) and depends little on
+// the mesh. Tools that travel without a `speed` of their own then get one too: the course that starts and stops gently
+// (post/trust/gentle_course.hpp), unless it takes longer than the smooth step by more than a tenth.
 #pragma once
 
 #include <optional>
@@ -11,11 +12,16 @@
 
 namespace weaveform {
 
+using SpeedTable = std::vector<std::vector<double>>;  // [part of the duration, relative speed], as ToolSpec::speed
+
 struct ChosenDuration {
   double duration = 0.0;  // s; rounded up to three digits
   double share = 0.0;     // 1; of the last trial, scaled to this duration
-  int cells = 0;          // of the trials' mesh
   int trials = 0;
+  std::vector<int> cells;               // of the trials' meshes
+  std::vector<std::string> tools = {};  // that get the speed below; none: all have their own, or the smooth step
+  SpeedTable speed = {};
+  double smooth_duration = 0.0;  // s; that the smooth step would take in place of it
 };
 
 // None when the scene does not ask for it: without analysis.inertia, or with a duration or loading_speed of its own.
@@ -23,7 +29,7 @@ struct ChosenDuration {
 [[nodiscard]] std::optional<ChosenDuration> choose_duration(const std::string& scene_file,
                                                             const std::vector<std::string>& overrides);
 
-// Where one was chosen: the duration as the scene's own, on record in scene.taken; or as one more override.
+// Where one was chosen: duration and speeds as the scene's own, on record in scene.taken; or as more overrides.
 void set_duration(Resolved& model, const std::optional<ChosenDuration>& chosen);
 [[nodiscard]] std::vector<std::string> with_duration(std::vector<std::string> overrides,
                                                      const std::optional<ChosenDuration>& chosen);

@@ -10,8 +10,10 @@ const std::vector<Key<AnalysisSpec>>& analysis_keys() {
            .unit = "s",
            .limits = above(0, 1e9),
            .doc =
-               "time over which the grips travel; auto: from the fabric's slowest shear wave, or, where nothing acts "
-               "but gravity, until the slowest sway has come to rest"}),
+               "time over which grips and tools travel; left out: from the fabric's slowest shear wave, of tools so "
+               "that none is faster than 1000 mm/s, or, where nothing acts but gravity, until the slowest sway has "
+               "come to rest; \"auto\" written out where tools travel: by `inertia`, which is then 0.01 unless it is "
+               "given too"}),
       key<&AnalysisSpec::loading_speed>({.name = "loading_speed",
                                          .unit = "mm/s",
                                          .limits = above(0, 1e9),
@@ -21,8 +23,9 @@ const std::vector<Key<AnalysisSpec>>& analysis_keys() {
            .unit = "1",
            .limits = between(1e-4, 0.5),
            .doc = "share of the loads that inertia and damping may be, e.g. 0.01. Without `duration` and "
-                  "`loading_speed` the duration is chosen by it, from trials on a coarser mesh; with one of them the "
-                  "run warns beyond it; auto: nothing is chosen by it and the run warns beyond 0.02"}),
+                  "`loading_speed` the duration is chosen by it, from trials on coarser meshes, and with it the course "
+                  "of the `speed` of tools that travel without one; with one of them the run warns beyond it; auto: "
+                  "nothing is chosen by it and the run warns beyond 0.02"}),
       key<&AnalysisSpec::yarn_viscosity>(
           {.name = "yarn_viscosity",
            .unit = "1",

@@ -27,6 +27,16 @@ void complain_unknown_tables(const toml::table& root, Complaints& complaints) {
   }
 }
 
+// Written out, "auto" asks more than a duration that is left out: of tools that travel, one by the share of inertia. An
+// echo, which has every key, has `inertia` too, so that it says what its scene said.
+void ask_for_share(const toml::table& root, Scene& scene) {
+  const toml::table* analysis = root["analysis"].as_table();
+  if (analysis == nullptr || analysis->contains("inertia")) return;
+  const bool travel =
+      std::any_of(scene.tools.begin(), scene.tools.end(), [](const ToolSpec& tool) { return tool.travel != 0.0; });
+  if (travel && (*analysis)["duration"].value<std::string>() == "auto") scene.analysis.inertia = inertia_of_auto;
+}
+
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -45,6 +55,7 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
   }
   check_scene(scene, root, complaints);
   complaints.throw_if_any();
+  ask_for_share(root, scene);
   drop_overruled(scene);
   return scene;
 }

@@ -39,15 +39,27 @@ Value at_key(const Scene& scene, const std::string& name, Value otherwise, Look 
   return otherwise;
 }
 
+// The tool whose speed this key is; null when it is none.
+const ToolSpec* tool_of(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.tools.begin(), scene.tools.end(),
+                                  [&](const ToolSpec& tool) { return name == speed_key(tool.name); });
+  return found == scene.tools.end() ? nullptr : &*found;
+}
+
 // As in the file; none of an open key, and of one that no record is about.
 TomlText value_of(const Scene& scene, const std::string& name) {
   if (name == duration_key) return scene.analysis.duration ? toml_text(*scene.analysis.duration) : TomlText();
+  if (const ToolSpec* tool = tool_of(scene, name)) return toml_text(tool->speed);
   return at_key(scene, name, TomlText(), [](const OpenKey& key, const BlankSpec& blank, const ModelSpec& model) {
     return key.open(blank, model) ? TomlText() : key.value(blank, model);
   });
 }
 
 }  // namespace
+
+std::string speed_key(const std::string& tool) {
+  return "tools." + tool + ".speed";
+}
 
 bool leaves_open(const BlankSpec& blank, const ModelSpec& model) {
   return blank.coarsening_open || model.yarn_open || model.cell_open;
@@ -62,6 +74,8 @@ bool leaves_open(const Scene& scene) {
 bool leaves_open(const Scene& scene, const std::string& name) {
   const AnalysisSpec& analysis = scene.analysis;
   if (name == duration_key) return analysis.inertia && !analysis.duration && !analysis.loading_speed;
+  if (const ToolSpec* tool = tool_of(scene, name))
+    return leaves_open(scene, duration_key) && tool->travel != 0.0 && tool->speed.empty();
   return at_key(scene, name, false, [](const OpenKey& key, const BlankSpec& blank, const ModelSpec& model) {
     return key.open(blank, model);
   });

@@ -1,5 +1,6 @@
-// What a scene leaves to the program ("auto" of blank.coarsening, model.yarn and model.cell, and a duration that
-// analysis.inertia asks for), and the record of what was taken, which goes with the scene into the result folder.
+// What a scene leaves to the program ("auto" of blank.coarsening, model.yarn and model.cell, a duration that
+// analysis.inertia asks for, and with it the speed of tools that travel), and the record of what was taken, which goes
+// with the scene into the result folder.
 #pragma once
 
 #include <string>
@@ -10,6 +11,12 @@
 namespace weaveform {
 
 inline constexpr const char* duration_key = "analysis.duration";  // taken by the program: app/stages/chosen_duration
+
+// 1; analysis.inertia of a scene whose tools travel and that has duration = "auto" in so many words, but no inertia.
+inline constexpr double inertia_of_auto = 0.01;
+
+// "tools.NAME.speed", which is taken with the duration.
+[[nodiscard]] std::string speed_key(const std::string& tool);
 
 // Whether mesh or elements of any ply are still open (mesher/automatic takes them).
 [[nodiscard]] bool leaves_open(const Scene& scene);

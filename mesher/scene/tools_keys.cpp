@@ -82,7 +82,8 @@ const std::vector<Key<ToolSpec>>& tool_keys() {
            .unit = "1",
            .limits = between(0, 1e9),
            .doc = "points [part of the duration, relative speed], joined by straight lines and scaled so "
-                  "that the way is `travel`; left out: smooth step"}),
+                  "that the way is `travel`; left out: smooth step, or, where `analysis.inertia` chooses the duration, "
+                  "a course that starts and stops gently (docs/stability.md)"}),
       key<&ToolSpec::force>({.name = "force",
                              .unit = "N",
                              .limits = between(0, 1e9),

@@ -20,5 +20,6 @@ set(UNIT_POST_SOURCES
   unit/post/transfer/transfer_test.cpp
   unit/post/trust/advice_keys_test.cpp
   unit/post/trust/expected_waves_test.cpp
+  unit/post/trust/gentle_course_test.cpp
   unit/post/trust/trust_tools_test.cpp
 )

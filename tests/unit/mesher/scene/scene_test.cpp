@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "mesher/scene/reader.hpp"
+#include "mesher/scene/taken.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
@@ -177,6 +178,22 @@ TEST(Scene, AutoMeansNoValue) {
   EXPECT_FALSE(scene.analysis.duration.has_value());
   EXPECT_EQ(scene.analysis.damping, 3.0);
   EXPECT_NE(scene_to_toml(scene).find("duration = \"auto\""), std::string::npos);
+}
+
+// Left out, the duration of tools is the program's quick one; "auto" in so many words is one by the share of inertia.
+TEST(Scene, AutoWrittenOutAsksForAShareOfInertiaWhereToolsTravel) {
+  const std::string punch = "[tools.punch]\nshape = \"sphere\"\nradius = 10\ntravel = 5\n[analysis]\n";
+  const auto inertia = [&](const std::string& analysis) {
+    const Scene scene = read_scene_text(punch + analysis, "s.toml");
+    EXPECT_EQ(read_scene_text(scene_to_toml(scene), "s.toml"), scene) << analysis;
+    return scene.analysis.inertia;
+  };
+  EXPECT_EQ(inertia("duration = \"auto\"\n"), inertia_of_auto);
+  EXPECT_EQ(inertia("duration = \"auto\"\ninertia = 0.03\n"), 0.03);
+  EXPECT_EQ(inertia("duration = \"auto\"\ninertia = \"auto\"\n"), std::nullopt);
+  EXPECT_EQ(inertia(""), std::nullopt);
+  EXPECT_EQ(inertia("duration = 0.1\n"), std::nullopt);
+  EXPECT_EQ(read_scene_text("[analysis]\nduration = \"auto\"\n", "s.toml").analysis.inertia, std::nullopt);
 }
 
 TEST(Override, ReplacesAddsAndFindsByNameAndIndex) {
