@@ -37,7 +37,8 @@ std::vector<std::filesystem::path> input_files(const identify::FitSpec& spec) {
   const std::filesystem::path file = spec.file;
   std::vector<std::filesystem::path> files = {file};
   if (!spec.head.base.empty() && !is_builtin_card(spec.head.base)) files.push_back(card_path(spec.head.base, file));
-  for (const auto* tests : {&spec.tensile, &spec.shear_frame, &spec.bias_extension})
+  for (const auto* tests :
+       {&spec.tensile, &spec.shear_frame, &spec.bias_extension, &spec.moment_curvature, &spec.cantilever})
     for (const auto& test : *tests)
       for (const auto& name : test.files) files.push_back(file.parent_path() / name);
   return files;

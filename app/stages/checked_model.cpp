@@ -16,7 +16,7 @@ Resolved checked_model(const std::filesystem::path& scene_file, const std::vecto
       .of_card =
           [](const Scene& scene, const Card& card) {
             require_coupling(card, scene.model);
-            refuse_friction_in_impulses(choose_flexure(card, scene.model), scene.analysis.bending_every);
+            refuse_friction_in_impulses(choose_flexure(card, scene), scene.analysis.bending_every);
           },
       .of_size = [yes, bytes = std::make_shared<double>(0.0)](
                      const Scene& scene, const Card& card,

@@ -72,7 +72,7 @@ void add_laws(const Resolved& model, const std::string& table, Lines& lines) {
   lines.add("yarn_section", std::array{card.yarn[0].section, card.yarn[1].section}, "mm^2; of one yarn");
   lines.add("shear_tangent", shear_tangent(card.shear, 0.0), "MPa; unsheared");
   lines.add("shear_valid_to", card.shear.valid_to_deg, "deg");
-  const Flexure flexure = choose_flexure(card, model.scene.model);
+  const Flexure flexure = choose_flexure(card, model.scene);
   if (const auto waves = expected_waves(model)) {
     lines.add("expected_wavelength", waves->wavelength, "mm; of wrinkles, if any: docs/wrinkles.md");
     lines.add("cells_per_expected_wave", waves->cells,

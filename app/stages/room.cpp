@@ -108,7 +108,7 @@ double measured_step(const Resolved& model, const Solve& first) {
 }
 
 double expected_rate(const Scene& scene, const Card& card) {
-  const Flexure flexure = choose_flexure(card, scene.model);
+  const Flexure flexure = choose_flexure(card, scene);
   const double rate = flexure.has_shell                              ? shell_rate
                       : flexure.bends_yarns || flexure.rotation_free ? bending_rate
                                                                      : membrane_rate;

@@ -10,6 +10,7 @@
 
 #include "core/keys/key_info.hpp"
 #include "fabric/card/yarn_section.hpp"
+#include "fabric/law/bending_law.hpp"
 #include "fabric/law/shear_law.hpp"
 #include "fabric/law/tangent_law.hpp"
 
@@ -37,9 +38,10 @@ struct YarnCard {
   double valid_to = std::numeric_limits<double>::infinity(), tearing_strain = valid_to;
   double compression_modulus = 0.0;  // MPa; for e < 0; default 1 % of the linear modulus (ours: the paper gives none)
   TangentLaw compression;            // MPa against |e|, e < 0; no pieces: the compression modulus at every strain
-  // Moment of one yarn (N mm) against its curvature (1/mm) as a tangent law in N mm^2, odd in the curvature's sign; in
-  // the fabric's plane and out of it. No pieces: the card does not say. A fibre bundle bends far more easily than E I.
-  TangentLaw bending_in_plane, bending_out_of_plane;
+  // Moment of one yarn (N mm) against its curvature (1/mm) as a tangent law in N mm^2; in the fabric's plane, odd in the
+  // curvature's sign, and out of it. No pieces: the card does not say. A fibre bundle bends far more easily than E I.
+  TangentLaw bending_in_plane;
+  BendingLaw bending_out_of_plane;
   BendingFriction bending_friction;  // out of the plane and in it alike
   bool operator==(const YarnCard&) const = default;
 };

@@ -100,6 +100,20 @@ TangentLaw flexure_of(const std::vector<TangentPiece>& pieces, const char* key, 
   return law;
 }
 
+BendingLaw bending_of(const YarnFile& file, const YarnTables& tables, const std::string& yarn_name,
+                      Complaints& complaints) {
+  const TangentLaw face =
+      flexure_of(file.bending_out_of_plane, "bending_out_of_plane", file, tables, yarn_name, complaints);
+  if (file.bending_out_of_plane_back.empty()) return face;
+  if (file.bending_out_of_plane.empty())
+    complaints.add(tables.place("bending_out_of_plane_back"),
+                   fmt::format("the {} has 'bending_out_of_plane_back' alone; add 'bending_out_of_plane', the law with "
+                               "the face outwards, or give that alone, for both senses",
+                               yarn_name));
+  return {face,
+          flexure_of(file.bending_out_of_plane_back, "bending_out_of_plane_back", file, tables, yarn_name, complaints)};
+}
+
 // What the card says of how far its yarns can be pulled, or what fibres bear (card.hpp).
 void limit_tension(const YarnFile& file, const YarnTables& tables, const std::string& yarn_name, YarnCard& yarn,
                    Complaints& complaints) {
@@ -137,11 +151,10 @@ YarnCard yarn_of(const YarnFile& file, const YarnTables& tables, const std::stri
     }
     yarn.compression_modulus = yarn.compression.tangent(0.0);
   }
-  yarn.bending_out_of_plane =
-      flexure_of(file.bending_out_of_plane, "bending_out_of_plane", file, tables, yarn_name, complaints);
+  yarn.bending_out_of_plane = bending_of(file, tables, yarn_name, complaints);
   yarn.bending_in_plane = flexure_of(file.bending_in_plane, "bending_in_plane", file, tables, yarn_name, complaints);
   yarn.bending_friction = file.bending_friction;
-  if (file.bending_in_plane.empty()) yarn.bending_in_plane = yarn.bending_out_of_plane;
+  if (file.bending_in_plane.empty()) yarn.bending_in_plane = yarn.bending_out_of_plane.face();
   if (!(yarn.linear_modulus > 0.0)) {
     complaints.add(tables.place("tension"),
                    fmt::format("the {}'s last piece has tangent {} MPa; it must be > 0, or give "
@@ -168,6 +181,8 @@ void read_yarns(const toml::table& root, Card& card, Complaints& complaints) {
       // either of the two replaces what the common yarn says of compression
       if (own->contains("compression")) file.compression_modulus.reset();
       if (own->contains("compression_modulus")) file.compression.clear();
+      // a law of its own is one for both senses, unless it has the other as well
+      if (own->contains("bending_out_of_plane")) file.bending_out_of_plane_back.clear();
       read_keys(*own, "[" + title + "]", yarn_keys(), file, complaints);
     }
     const YarnTables tables{own != nullptr ? own : common, common};
@@ -248,7 +263,8 @@ YarnFile file_of(const YarnCard& yarn) {
   file.tearing_strain = yarn.tearing_strain;
   file.compression = yarn.compression.pieces();
   if (file.compression.empty()) file.compression_modulus = yarn.compression_modulus;
-  file.bending_out_of_plane = yarn.bending_out_of_plane.pieces();
+  file.bending_out_of_plane = yarn.bending_out_of_plane.face().pieces();
+  if (!yarn.bending_out_of_plane.is_odd()) file.bending_out_of_plane_back = yarn.bending_out_of_plane.back().pieces();
   file.bending_in_plane = yarn.bending_in_plane.pieces();
   file.bending_friction = yarn.bending_friction;
   return file;

@@ -216,9 +216,17 @@ const std::vector<Key<YarnFile>>& yarn_keys() {
                "flexural stiffness of one yarn out of the fabric's plane, dM/dkappa against its curvature kappa "
                "(1/mm), pieces as for `tension` with `from` and `to` in 1/mm, at most 255 of them and of degree 5; a "
                "constant is one piece; left out: unknown, and a model that bends must say it"}),
+      key<&YarnFile::bending_out_of_plane_back>(
+          {.name = "bending_out_of_plane_back",
+           .unit = "N mm^2",
+           .doc = "the same with the fabric's back bent outwards (the back is the convex side), where that differs; "
+                  "`bending_out_of_plane` is then the law with the face outwards. `fabric.face` of a scene says which "
+                  "way the face looks. Left out: alike in both senses"}),
       key<&YarnFile::bending_in_plane>({.name = "bending_in_plane",
                                         .unit = "N mm^2",
-                                        .doc = "the same in the fabric's plane; left out: that out of the plane"}),
+                                        .doc =
+                                            "the same in the fabric's plane; left out: that out of the plane, with the "
+                                            "face outwards"}),
       key<&YarnFile::bending_friction>(
           {.name = "bending_friction",
            .doc = "friction in bending (Dahl), of one yarn out of the fabric's plane and in it: a moment beside the "

@@ -31,6 +31,7 @@ struct YarnFile {
   std::optional<double> compression_modulus;                         // MPa
   std::vector<TangentPiece> compression;                             // MPa
   std::vector<TangentPiece> bending_in_plane, bending_out_of_plane;  // N mm^2
+  std::vector<TangentPiece> bending_out_of_plane_back;               // N mm^2; none: as with the face outwards
   BendingFriction bending_friction;                                  // N mm, 1/mm
 };
 

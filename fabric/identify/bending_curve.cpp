@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 constexpr int fine_intervals = 64;     // between places where a knot may be
 constexpr double least_share = 1e-4;   // of the mean stiffness
-constexpr Index most_residuals = 120;  // that a curve's error is estimated from
+constexpr Index most_residuals = 120;  // that a curve's error is estimated from, each side
 constexpr int relocations = 2;         // rounds in which every knot may move
 
 // The integral from 0 to x of the hat function with its top at `top`, zero at `low` and `high`. The first hat has no
@@ -85,25 +85,28 @@ std::vector<double> fine_knots(const std::vector<BendingReading>& readings) {
 }
 
 // The least-squares problem on the fine knots, reduced once to a triangle, so that a choice of knots among them is a
-// small problem: |A P t - y|^2 = |R P t - f|^2 + rest.
+// small problem: |A P t - y|^2 = |R P t - f|^2 + rest. With two sides the tangents of negative curvatures follow those of
+// positive ones, at the same knots.
 class KnotProblem {
 public:
   KnotProblem(const std::vector<BendingReading>& readings, const BendingFitChoices& choices)
       : fine_(fine_knots(readings)), count_(static_cast<Index>(readings.size())) {
     stiff_start_ = choices.stiff_start;
+    sides_ = choices.two_sided ? 2 : 1;
     extras_ = (choices.friction ? 1 : 0) + (choices.offset ? 2 : 0);
     double greatest = 0.0;
     for (const auto& reading : readings) greatest = std::max(greatest, std::abs(reading.moment));
     greatest_ = greatest;
     least_ = least_share * greatest / fine_.back();
     const auto fine = static_cast<Index>(fine_.size());
-    A_.resize(count_, fine + extras_);
+    A_ = MatrixXd::Zero(count_, sides_ * fine + extras_);
     y_.resize(count_);
     for (Index i = 0; i < count_; ++i) {
       const BendingReading& reading = readings[i];
       const double x = std::abs(reading.curvature), sign = std::copysign(1.0, reading.curvature);
-      for (Index k = 0; k < fine; ++k) A_(i, k) = sign * hat_integral_at(fine_, k, x);
-      Index column = fine;
+      const Index first = sides_ == 2 && sign < 0.0 ? fine : 0;
+      for (Index k = 0; k < fine; ++k) A_(i, first + k) = sign * hat_integral_at(fine_, k, x);
+      Index column = sides_ * fine;
       if (choices.friction) A_(i, column++) = reading.friction;
       if (choices.offset) {
         A_(i, column++) = 1.0;
@@ -138,12 +141,9 @@ public:
     const MatrixXd P = spread(chosen);
     const VectorXd x = nonnegative_least_squares(R_ * P, f_);
     BendingCurveFit fit;
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      fit.curve.knot.push_back(fine_[chosen[k]]);
-      const double excess = k == 0 && stiff_start_ ? x[1] : 0.0;
-      fit.curve.tangent.push_back(least_ + excess + x[static_cast<Index>(k)]);
-    }
-    auto next = static_cast<Index>(chosen.size());
+    fit.curve = curve_of(chosen, x, 0);
+    if (sides_ == 2) fit.back = curve_of(chosen, x, std::ssize(chosen));
+    auto next = static_cast<Index>(sides_ * std::ssize(chosen));
     if (choices.friction) fit.friction = x[next++];
     if (choices.offset) fit.offset = x[next] - x[next + 1];
     const VectorXd residual = y_ - A_ * (P * x);
@@ -155,19 +155,32 @@ public:
   }
 
 private:
+  // Of the unknowns from `first` on.
+  [[nodiscard]] BendingCurve curve_of(const std::vector<Index>& chosen, const VectorXd& x, Index first) const {
+    BendingCurve curve;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      curve.knot.push_back(fine_[chosen[k]]);
+      const double excess = k == 0 && stiff_start_ ? x[first + 1] : 0.0;
+      curve.tangent.push_back(least_ + excess + x[first + static_cast<Index>(k)]);
+    }
+    return curve;
+  }
+
   // Values of the chosen knots' hats at the fine knots; extras are themselves.
   [[nodiscard]] MatrixXd spread(const std::vector<Index>& chosen) const { return spread(chosen, stiff_start_); }
   [[nodiscard]] MatrixXd spread(const std::vector<Index>& chosen, bool stiff_start) const {
     const Index fine = fine_count(), coarse = static_cast<Index>(chosen.size());
-    MatrixXd P = MatrixXd::Zero(fine + extras_, coarse + extras_);
-    for (Index c = 0; c + 1 < coarse; ++c)
-      for (Index k = chosen[c]; k <= chosen[c + 1]; ++k) {
-        const double share = (fine_[k] - fine_[chosen[c]]) / (fine_[chosen[c + 1]] - fine_[chosen[c]]);
-        P(k, c) = 1.0 - share;
-        P(k, c + 1) = share;
-      }
-    if (stiff_start) P.col(1) += P.col(0);
-    for (Index e = 0; e < extras_; ++e) P(fine + e, coarse + e) = 1.0;
+    MatrixXd P = MatrixXd::Zero(sides_ * fine + extras_, sides_ * coarse + extras_);
+    for (Index s = 0; s < sides_; ++s) {
+      for (Index c = 0; c + 1 < coarse; ++c)
+        for (Index k = chosen[c]; k <= chosen[c + 1]; ++k) {
+          const double share = (fine_[k] - fine_[chosen[c]]) / (fine_[chosen[c + 1]] - fine_[chosen[c]]);
+          P(s * fine + k, s * coarse + c) = 1.0 - share;
+          P(s * fine + k, s * coarse + c + 1) = share;
+        }
+      if (stiff_start) P.col(s * coarse + 1) += P.col(s * coarse);
+    }
+    for (Index e = 0; e < extras_; ++e) P(sides_ * fine + e, sides_ * coarse + e) = 1.0;
     return P;
   }
 
@@ -184,7 +197,8 @@ private:
   // Groups of neighbouring readings as one: what is left of the noise of a group is that of its mean.
   void average(const MatrixXd& J, const VectorXd& residual, const BendingFitChoices& choices,
                BendingCurveFit& fit) const {
-    const Index group = (count_ + most_residuals - 1) / most_residuals, groups = count_ / group;
+    const Index most = sides_ * most_residuals;
+    const Index group = (count_ + most - 1) / most, groups = count_ / group;
     const Index columns = J.cols() - (choices.offset ? 1 : 0);  // the offset's two columns are one unknown
     fit.sensitivity = MatrixXd::Zero(groups, columns);
     fit.residual = VectorXd::Zero(groups);
@@ -195,7 +209,7 @@ private:
   }
 
   std::vector<double> fine_;
-  Index count_, extras_ = 0;
+  Index count_, extras_ = 0, sides_ = 1;
   bool stiff_start_ = true;
   double greatest_ = 0.0, least_ = 0.0, rest_ = 0.0;
   MatrixXd A_, R_;
@@ -295,8 +309,9 @@ BendingCurveFit fit_bending_curve(const std::vector<BendingReading>& readings, c
     std::vector<Index> more = with_best_knot(problem, chosen, fewer);
     if (more.size() == chosen.size()) break;
     relocate(problem, more, fewer);
-    // a knot is two unknowns, its place and its tangent: n ln(squares) + 2 ln(n) must fall
-    if (!(n * std::log(fewer / squares) + 2.0 * std::log(n) < 0.0)) break;
+    // a knot is two unknowns, its place and its tangent (one a side): n ln(squares) + 2 ln(n) must fall
+    const double unknowns = choices.two_sided ? 3.0 : 2.0;
+    if (!(n * std::log(fewer / squares) + unknowns * std::log(n) < 0.0)) break;
     chosen = std::move(more);
     squares = fewer;
   }

@@ -1,4 +1,5 @@
-// A moment-curvature curve as measured: monotone, through zero, odd, with a stiffness that is linear between knots.
+// A moment-curvature curve as measured: monotone, through zero, with a stiffness that is linear between knots; odd, or one
+// for each sense of bending.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,23 +30,25 @@ struct BendingReading {
 };
 
 struct BendingCurveFit {
-  BendingCurve curve;
-  double friction = 0.0;  // N; greatest moment of friction, 0 without
-  double offset = 0.0;    // N; of the moment's zero, where readings of both senses tell it
-  double misfit = 0.0;    // N; root mean square of the residuals
+  BendingCurve curve;      // of a two-sided fit that of positive curvatures
+  BendingCurve back = {};  // of a two-sided fit, that of negative ones, counted positive; the same knots
+  double friction = 0.0;   // N; greatest moment of friction, 0 without
+  double offset = 0.0;     // N; of the moment's zero, where readings of both senses tell it
+  double misfit = 0.0;     // N; root mean square of the residuals
   // For the error of the curve: what each unknown (tangents at `error_knot`; friction, offset) does to each reading, and
   // what is left of it. The knots are those of the curve and one between every two: where the curve's own knots lie was
   // found from the same readings, and what it is between them nobody knows. Neighbouring readings are averaged where
-  // there are many.
+  // there are many. Of a two-sided fit the tangents of `curve` come first, then those of `back`.
   std::vector<double> error_knot;
   Eigen::MatrixXd sensitivity;
   Eigen::VectorXd residual;
 };
 
 struct BendingFitChoices {
-  int pieces = 12;        // at most, with the constant one beyond the last knot; 2 at least
-  bool friction = false;  // readings' shares count
-  bool offset = false;    // the moment's zero is unknown
+  int pieces = 12;         // at most, with the constant one beyond the last knot; 2 at least
+  bool friction = false;   // readings' shares count
+  bool offset = false;     // the moment's zero is unknown
+  bool two_sided = false;  // a curve for each sense; friction and offset are theirs in common
   bool stiff_start =
       true;              // the first tangent is no less than the second: few readings tell it, and a toe is taken out
   double enough = 2e-4;  // of the greatest moment; a misfit (root mean square) that needs no more pieces

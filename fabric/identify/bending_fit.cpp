@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -20,7 +21,7 @@ namespace {
 constexpr int even_places = 80, close_places = 60;  // of the law's table: evenly, and in equal ratios near zero
 constexpr double first_place = 1e-3;                // of the greatest curvature
 constexpr double falls_short = 0.7;                 // of the greatest curvature: a specimen that ends before is named
-constexpr double senses_differ = 0.15;              // of the mean moment
+constexpr double senses_differ = 0.15;              // of the mean moment: worth a warning, though within the bands
 
 // Rising curvatures, dense near zero, where the law is steepest.
 std::vector<double> places_to(double reach) {
@@ -131,20 +132,6 @@ void warn_about_bending(BendingFit& fit) {
           fmt::format("{} ends at a curvature of {:.3g} 1/mm; beyond, the law to {:.3g} 1/mm rests on "
                       "the others",
                       specimen.name, specimen.reach, reach));
-  std::vector<double> face, back;
-  for (const auto& specimen : fit.specimens) {
-    const double moment = moment_at(specimen, 0.5 * std::min(reach, specimen.reach)) /
-                          fit.curve.moment(0.5 * std::min(reach, specimen.reach));
-    if (specimen.sense == BentSense::face) face.push_back(moment);
-    if (specimen.sense == BentSense::back) back.push_back(moment);
-  }
-  if (face.empty() || back.empty()) return;
-  const double difference = mean_of(face) - mean_of(back);
-  if (std::abs(difference) > senses_differ)
-    fit.warnings.push_back(
-        fmt::format("bent with the face outwards the moment is {:.2f}, with the back outwards {:.2f} "
-                    "times that of the law, which is one for both senses",
-                    mean_of(face), mean_of(back)));
 }
 
 BendingFit fit_curves(BendingSource source, std::vector<BendingSpecimen> specimens, const FitSpec& spec) {
@@ -171,6 +158,104 @@ BendingFit fit_curves(BendingSource source, std::vector<BendingSpecimen> specime
   add_bands(fit, errors, spec.confidence());
   warn_about_bending(fit);
   return fit;
+}
+
+// Specimens that were bent with that side outwards, alone or among both.
+std::vector<BendingSpecimen> bent_with(const std::vector<BendingSpecimen>& specimens, BentSense sense) {
+  std::vector<BendingSpecimen> part;
+  for (const auto& specimen : specimens)
+    if (!specimen.half.empty())
+      part.push_back(specimen.half[sense == BentSense::face ? 0 : 1]);
+    else if (specimen.sense == sense || specimen.sense == BentSense::both)
+      part.push_back(specimen);
+  return part;
+}
+
+// Own errors count where a specimen is alone.
+std::vector<BendingSpecimen> without_errors(std::vector<BendingSpecimen> specimens) {
+  for (auto& specimen : specimens) {
+    specimen.error_curvature.clear();
+    specimen.error.clear();
+  }
+  return specimens;
+}
+
+// Means over the curvatures that both laws reach.
+struct SensesCompared {
+  double face = 0.0, back = 0.0;  // N; of the moments
+  double difference = 0.0,
+         band = 0.0;  // N; of |M_face - M_back| and of both half bands together, infinite where unknown
+};
+
+SensesCompared compared(const BendingFit& face, const BendingFit& back) {
+  const auto half_band = [](const BendingFit& fit, double curvature) {
+    const auto above = std::lower_bound(fit.law.begin(), fit.law.end() - 1, curvature,
+                                        [](const BendingPoint& at, double x) { return at.curvature < x; });
+    return above->half_band;
+  };
+  const auto has_band = [](const BendingFit& fit) {
+    return fit.specimens.size() > 1 || !fit.specimens.front().error.empty();
+  };
+  const double reach = std::min(face.law.back().curvature, back.law.back().curvature);
+  SensesCompared means;
+  for (int i = 1; i <= even_places; ++i) {
+    const double at = reach * i / even_places, m_face = face.curve.moment(at), m_back = back.curve.moment(at);
+    means.face += m_face / even_places;
+    means.back += m_back / even_places;
+    means.difference += std::abs(m_face - m_back) / even_places;
+    means.band += std::hypot(half_band(face, at), half_band(back, at)) / even_places;
+  }
+  if (!has_band(face) || !has_band(back)) means.band = std::numeric_limits<double>::infinity();
+  return means;
+}
+
+// `ratio`: of the face's to the back's; the difference and both half bands together in `unit`, infinite where unknown.
+std::string senses_sentence(const std::string& what, double ratio, double difference, double band, const char* unit) {
+  return fmt::format(
+      "Bent with the face outwards the {} is {:.3g} times that with the back outwards; they differ by {:.3g} {}, {}",
+      what, ratio, difference, unit,
+      std::isinf(band)    ? std::string("and the bands of so few readings are not known")
+      : difference > band ? fmt::format("more than their bands' {:.3g} {}", band, unit)
+                          : fmt::format("within their bands' {:.3g} {}", band, unit));
+}
+
+// Two fits as one for each sense.
+std::vector<BendingFit> as_senses(BendingFit face, BendingFit back, const std::string& said) {
+  face.sense = BentSense::face;
+  back.sense = BentSense::back;
+  face.senses = back.senses = said + ": each sense has its own law.";
+  return {std::move(face), std::move(back)};
+}
+
+// One fit of all, and how the senses compared.
+std::vector<BendingFit> as_one(BendingFit both, const std::string& said, bool worth_a_warning) {
+  both.senses = said + ": one law for both.";
+  if (worth_a_warning)
+    both.warnings.push_back(said + ": the law is one for both; test more specimens to tell them apart");
+  return {std::move(both)};
+}
+
+// One law of all specimens, or one for each sense.
+std::vector<BendingFit> fit_senses(BendingSource source, const std::vector<BendingSpecimen>& specimens, bool own_errors,
+                                   const FitSpec& spec) {
+  const auto tells = [&](BentSense sense) {
+    return std::any_of(specimens.begin(), specimens.end(), [&](const BendingSpecimen& specimen) {
+      return !specimen.half.empty() || specimen.sense == sense;
+    });
+  };
+  const auto fitted = [&](std::vector<BendingSpecimen> part) {
+    const bool alone = own_errors || part.size() == 1;
+    return fit_curves(source, alone ? std::move(part) : without_errors(std::move(part)), spec);
+  };
+  if (!tells(BentSense::face) || !tells(BentSense::back)) return {fitted(specimens)};
+  BendingFit face = fitted(bent_with(specimens, BentSense::face));
+  BendingFit back = fitted(bent_with(specimens, BentSense::back));
+  const SensesCompared means = compared(face, back);
+  const std::string said = senses_sentence(
+      fmt::format("mean moment to {:.3g} 1/mm", std::min(face.law.back().curvature, back.law.back().curvature)),
+      means.face / means.back, means.difference, means.band, "N");
+  if (means.difference > means.band) return as_senses(std::move(face), std::move(back), said);
+  return as_one(fitted(specimens), said, means.difference > senses_differ * 0.5 * (means.face + means.back));
 }
 
 // The bending length c = (B/w)^(1/3) of a strip whose tip lies `angle` (rad) below the clamp: of the heavy elastica, not
@@ -223,24 +308,54 @@ BendingFit fit_numbers(const std::vector<const TestSpec*>& tests, const FitSpec&
   return fit;
 }
 
-BendingFit fit_tests(BendingSource source, const std::vector<const TestSpec*>& tests, const FitSpec& spec) {
-  if (source == BendingSource::peirce) return fit_numbers(tests, spec);
+// The same of Peirce's numbers; one alone has no band and tells nothing apart.
+std::vector<BendingFit> fit_number_senses(const std::vector<const TestSpec*>& tests, const FitSpec& spec) {
+  const auto bent_with_side = [&](BentSense sense, bool or_both) {
+    std::vector<const TestSpec*> part;
+    std::copy_if(tests.begin(), tests.end(), std::back_inserter(part), [&](const TestSpec* test) {
+      return test->sense == sense || (or_both && test->sense == BentSense::both);
+    });
+    return part;
+  };
+  if (bent_with_side(BentSense::face, false).empty() || bent_with_side(BentSense::back, false).empty())
+    return {fit_numbers(tests, spec)};
+  BendingFit face = fit_numbers(bent_with_side(BentSense::face, true), spec);
+  BendingFit back = fit_numbers(bent_with_side(BentSense::back, true), spec);
+  const bool known = face.rigidities.size() > 1 && back.rigidities.size() > 1;
+  const double difference = std::abs(face.rigidity - back.rigidity);
+  const double band = known ? std::hypot(face.rigidity_band[1] - face.rigidity, back.rigidity_band[1] - back.rigidity)
+                            : std::numeric_limits<double>::infinity();
+  const std::string said = senses_sentence("rigidity", face.rigidity / back.rigidity, difference, band, "N mm");
+  if (difference > band) return as_senses(std::move(face), std::move(back), said);
+  return as_one(fit_numbers(tests, spec), said, difference > senses_differ * 0.5 * (face.rigidity + back.rigidity));
+}
+
+std::vector<BendingFit> fit_tests(BendingSource source, const std::vector<const TestSpec*>& tests,
+                                  const FitSpec& spec) {
+  if (source == BendingSource::peirce) return fit_number_senses(tests, spec);
+  // tables have errors of their own where one is all there is, of both senses or of its own
+  const auto alone = [&](const TestSpec& test) {
+    const auto beside = [&](const TestSpec* other) {
+      return other->sense == test.sense || other->sense == BentSense::both || test.sense == BentSense::both;
+    };
+    return test.files.size() == 1 && std::count_if(tests.begin(), tests.end(), beside) == 1;
+  };
   std::vector<BendingSpecimen> specimens;
   for (const TestSpec* test : tests) {
-    auto more = source == BendingSource::cantilever
-                    ? cantilever_specimens(*test, spec)
-                    : moment_curvature_specimens(*test, spec, tests.size() == 1 && test->files.size() == 1);
+    auto more = source == BendingSource::cantilever ? cantilever_specimens(*test, spec)
+                                                    : moment_curvature_specimens(*test, spec, alone(*test));
     std::move(more.begin(), more.end(), std::back_inserter(specimens));
   }
-  return fit_curves(source, std::move(specimens), spec);
+  const bool one_file = tests.size() == 1 && tests.front()->files.size() == 1;
+  return fit_senses(source, specimens, source == BendingSource::cantilever || one_file, spec);
 }
 
 }  // namespace
 
 std::string BendingFit::name() const {
-  const std::string kind = name_of(source);
-  if (along[0] && along[1]) return kind;
-  return kind + "_" + yarn_families[along[0] ? 0 : 1];
+  std::string text = name_of(source);
+  if (!along[0] || !along[1]) text += "_" + yarn_families[along[0] ? 0 : 1];
+  return sense == BentSense::both ? text : text + "_" + name_of(sense);
 }
 
 std::vector<BendingFit> fit_bending(const FitSpec& spec) {
@@ -252,15 +367,19 @@ std::vector<BendingFit> fit_bending(const FitSpec& spec) {
     for (const auto& test : *tests)
       for (std::size_t f = 0; f < 2; ++f)
         if (bends_along(test, f)) of_family[f].push_back(&test);
-    if (!of_family[0].empty() && of_family[0] == of_family[1]) {
-      fits.push_back(fit_tests(source, of_family[0], spec));
+    const auto add = [&fits, &spec, source = source](const auto& of_tests, const std::array<bool, 2>& along) {
+      if (of_tests.empty()) return;
+      for (auto& fit : fit_tests(source, of_tests, spec)) {
+        fit.along = along;
+        fits.push_back(std::move(fit));
+      }
+    };
+    if (of_family[0] == of_family[1]) {
+      add(of_family[0], {true, true});
       continue;
     }
-    for (std::size_t f = 0; f < 2; ++f) {
-      if (of_family[f].empty()) continue;
-      fits.push_back(fit_tests(source, of_family[f], spec));
-      fits.back().along = {f == 0, f == 1};
-    }
+    add(of_family[0], {true, false});
+    add(of_family[1], {false, true});
   }
   return fits;
 }

@@ -26,6 +26,7 @@ struct BendingPoint {
 struct BendingFit {
   BendingSource source = BendingSource::moment_curvature;
   std::array<bool, 2> along = {true, true};  // warp, weft
+  BentSense sense = BentSense::both;         // the side outwards; both: a law for both senses
   std::vector<BendingSpecimen> specimens;
   BendingCurve curve;                       // per width; of [[peirce]] constant
   std::vector<BendingPoint> law;            // from zero to the greatest curvature fitted
@@ -36,10 +37,11 @@ struct BendingFit {
   std::vector<double> rigidities;
   double rigidity = 0.0, rigidity_deviation = 0.0;
   std::array<double, 2> rigidity_band = {0.0, 0.0};
+  std::string senses;  // a sentence on how the two senses compare; "" where they were not tested by themselves
   std::vector<std::string> warnings;
   [[nodiscard]] bool is_constant() const { return source == BendingSource::peirce; }
   [[nodiscard]] double first_stiffness() const { return is_constant() ? rigidity : curve.tangent.front(); }  // N mm
-  [[nodiscard]] std::string name() const;  // "moment_curvature", "cantilever_warp": of files and headings
+  [[nodiscard]] std::string name() const;  // "moment_curvature", "cantilever_warp_face": of files and headings
 };
 
 // Every kind of test in the fit file, of both directions in one where the same tests stand for both, else one for each
@@ -48,9 +50,15 @@ struct BendingFit {
 // Specimens are the independent units: at a curvature the interval is Student's t over the curves of those that reach
 // it, shapes counting as much as their own errors let them, with what the law's few pieces leave of their mean added; one
 // specimen alone has its own residuals.
+//
+// Senses: where specimens were bent with the face outwards and others, or the same the other way, with the back, the two laws
+// are made each by itself, and where they differ, on the mean over the curvatures that both reach, by more than their bands
+// together, |M_face - M_back| > (b_face^2 + b_back^2)^(1/2), they are two fits one after the other, `face` and `back`; else
+// one of all specimens, for both senses. Specimens of either sense count for both.
 [[nodiscard]] std::vector<BendingFit> fit_bending(const FitSpec& spec);
 
 // Which of them makes the card's law along a family (0 warp, 1 weft), by [bending_law] from; none: nothing was measured.
+// Of two senses that of the face; the next is that of the back.
 [[nodiscard]] std::optional<std::size_t> bending_of(const std::vector<BendingFit>& fits, const FitSpec& spec,
                                                     std::size_t family);
 

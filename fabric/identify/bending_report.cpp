@@ -14,8 +14,8 @@ std::string kind_title(const BendingFit& fit) {
   std::string title = fit.source == BendingSource::moment_curvature ? "Moment and curvature"
                       : fit.source == BendingSource::cantilever     ? "Shapes of hanging strips"
                                                                     : "Peirce's numbers";
-  if (fit.along[0] && fit.along[1]) return title;
-  return title + ", along the " + yarn_families[fit.along[0] ? 0 : 1];
+  if (!fit.along[0] || !fit.along[1]) title += ", along the " + yarn_families[fit.along[0] ? 0 : 1];
+  return fit.sense == BentSense::both ? title : title + ", " + name_of(fit.sense) + " outwards";
 }
 
 std::string numbers_section(const BendingFit& fit) {
@@ -63,20 +63,24 @@ std::string tips_table(const BendingFit& fit, double weight) {
 std::string bending_section(const BendingFit& fit, const FitSpec& spec, bool makes_card) {
   std::string text = fmt::format("\n## {}\n\n{}. ", kind_title(fit),
                                  makes_card ? "This fit makes the card's bending" : "For comparison: not in the card");
-  if (fit.is_constant()) return text + "\n\n" + numbers_section(fit);
+  const std::string senses = fit.senses.empty() ? "" : fit.senses + "\n\n";
+  if (fit.is_constant()) return text + "\n\n" + senses + numbers_section(fit);
   text += fmt::format(
-      "Specimens: {}. The law is monotone, the same in both senses, with {} pieces to {:.4g} 1/mm (a radius of {:.3g} "
+      "Specimens: {}. The law is monotone, {}, with {} pieces to {:.4g} 1/mm (a radius of {:.3g} "
       "mm), "
       "beyond which its last stiffness goes on; it lies within {:.2g} N of the specimens' mean. Its first stiffness is "
       "{:.4g} N mm. The band is Student's t over {}.\n\n",
-      fit.specimens.size(), fit.curve.knot.size(), fit.law.back().curvature, 1.0 / fit.law.back().curvature, fit.misfit,
+      fit.specimens.size(),
+      fit.sense == BentSense::both ? std::string("the same in both senses")
+                                   : "of bending with the " + name_of(fit.sense) + " outwards",
+      fit.curve.knot.size(), fit.law.back().curvature, 1.0 / fit.law.back().curvature, fit.misfit,
       fit.curve.tangent.front(),
       fit.specimens.size() > 1 ? "the specimens' own curves" : "the residuals of the one specimen");
   if (fit.friction)
     text += fmt::format(
         "The records go to and fro: friction of {:.4g} N over a rise of {:.4g} 1/mm (mean of the specimens).\n\n",
         fit.friction->moment, fit.friction->rise);
-  text += law_table(fit) + tips_table(fit, spec.area_weight());
+  text += senses + law_table(fit) + tips_table(fit, spec.area_weight());
   text +=
       fmt::format("\n| specimen | bent | to (1/mm) | first stiffness (N mm) | misfit ({}) |\n|---|---|---|---|---|\n",
                   fit.source == BendingSource::cantilever ? "mm" : "N");

@@ -25,6 +25,7 @@ constexpr double turn_share = 0.05;  // of the range of curvatures: more than no
 constexpr double both_senses = 0.1;  // of the greatest curvature: a record that goes there the other way, goes both
 constexpr std::size_t rows_of_branch = 4;  // fewer on average: the rows are in no order
 constexpr double toe_stiffness = 0.5;      // of the steepest: a curve that starts softer than that has a toe
+constexpr double above_toe = 0.7;          // of the greatest moment: a steep place so high is a kink or noise
 constexpr double least_toe = 0.02, usual_toe = 0.08, longest_toe = 0.4;  // of the greatest curvature
 constexpr double friction_seen = 0.01;                                   // of the greatest moment
 constexpr int error_places = 40;
@@ -81,6 +82,7 @@ bool take_out_toe(const BendingCurve& curve, double reach, double sign, std::vec
       static_cast<std::size_t>(std::max_element(curve.tangent.begin(), curve.tangent.end()) - curve.tangent.begin());
   const double at = curve.knot[steepest], stiffness = curve.tangent[steepest];
   if (!(curve.tangent.front() < toe_stiffness * stiffness)) return false;
+  if (curve.moment(at) > above_toe * curve.moment(reach)) return false;
   const double toe = at - curve.moment(at) / stiffness;
   if (!(toe > least_toe * reach)) return false;
   if (toe > longest_toe * reach)
@@ -120,7 +122,16 @@ double reach_of(const std::vector<BendingReading>& readings) {
 
 constexpr std::size_t least_readings = 8;
 
-BendingCurveFit fit_once(std::vector<BendingReading> readings, bool two_senses, int pieces, BendingSpecimen& specimen) {
+// What kind of record a table holds.
+struct Record {
+  Curve rows;
+  std::vector<BendingReading> readings = {};  // of one that does not go to and fro
+  double reach = 0.0;                         // 1/mm
+  bool two_senses = false, loop = false;
+};
+
+BendingCurveFit fit_once(const Record& record, bool two_sided, int pieces, BendingSpecimen& specimen) {
+  std::vector<BendingReading> readings = record.readings;
   for (const double sign : {1.0, -1.0}) {
     const auto part = of_sense(readings, sign);
     if (part.size() < least_readings) continue;
@@ -131,11 +142,13 @@ BendingCurveFit fit_once(std::vector<BendingReading> readings, bool two_senses, 
           fmt::format("{}: without its toe only {} points are left; record more", specimen.name, readings.size()));
   }
   specimen.reach = reach_of(readings);
-  return fit_bending_curve(readings, {.pieces = pieces, .offset = two_senses});
+  return fit_bending_curve(readings, {.pieces = pieces, .offset = record.two_senses, .two_sided = two_sided});
 }
 
 // A loop: friction by Dahl's model beside the curve; its rise by search.
-BendingCurveFit fit_loop(const Curve& raw, double reach, bool two_senses, int pieces, BendingSpecimen& specimen) {
+BendingCurveFit fit_loop(const Record& record, bool two_sided, int pieces, BendingSpecimen& specimen) {
+  const Curve& raw = record.rows;
+  const double reach = record.reach;
   specimen.reach = reach;
   // a record that begins bent comes from the other side, or nobody knows from where: the state of a steady cycle
   const double start = std::abs(raw.x.front()) < both_senses * reach ? 0.0 : raw.x[1] > raw.x[0] ? -1.0 : 1.0;
@@ -146,7 +159,8 @@ BendingCurveFit fit_loop(const Curve& raw, double reach, bool two_senses, int pi
     return all;
   };
   const auto fitted = [&](double rise, int most) {
-    return fit_bending_curve(readings(rise), {.pieces = most, .friction = true, .offset = two_senses});
+    return fit_bending_curve(readings(rise),
+                             {.pieces = most, .friction = true, .offset = record.two_senses, .two_sided = two_sided});
   };
   constexpr double least = 0.005, greatest = 0.6;  // of the reach
   constexpr int coarse = 12, refined = 16;
@@ -203,8 +217,12 @@ void note_senses(const std::vector<BendingReading>& readings, BendingSpecimen& s
                m_down = fit_bending_curve(down, {.pieces = 6}).curve.moment(at);
   specimen.notes.push_back(
       fmt::format("bent both ways: at {:.4g} 1/mm the moment is {:.4g} N one way and {:.4g} N the "
-                  "other; the curve is their mean",
-                  at, m_up, m_down));
+                  "other; {}",
+                  at, m_up, m_down,
+                  specimen.sense == BentSense::both
+                      ? "the curve is their mean; sense = \"face\" or \"back\", the side outwards at positive "
+                        "curvatures, tells them apart"
+                      : "positive curvatures are those with the " + name_of(specimen.sense) + " outwards"));
 }
 
 // Its curve in steps so fine that lines between them are as good: twelve from knot to knot.
@@ -218,6 +236,74 @@ void take_curve(const BendingCurve& curve, BendingSpecimen& specimen) {
   for (const double at : specimen.curve_curvature) specimen.curve_moment.push_back(curve.moment(at));
 }
 
+BentSense other_side(BentSense sense) {
+  return sense == BentSense::face ? BentSense::back : BentSense::face;
+}
+
+// The curves of both senses by themselves, of a record that goes both ways, with the face outwards first. Zero of the
+// moment and friction are in common. `sense`: of positive curvatures.
+std::vector<BendingSpecimen> halves_of(const Record& record, BentSense sense, int pieces, bool alone) {
+  BendingSpecimen whole{.name = record.rows.specimen};
+  const BendingCurveFit fit =
+      record.loop ? fit_loop(record, true, pieces, whole) : fit_once(record, true, pieces, whole);
+  std::vector<BendingSpecimen> halves;
+  for (const double sign : {1.0, -1.0}) {
+    BendingSpecimen half{.name = whole.name, .sense = sign > 0.0 ? sense : other_side(sense)};
+    for (std::size_t i = 0; i < record.rows.x.size(); ++i) {
+      if (sign * record.rows.x[i] < 0.0) continue;
+      half.curvature.push_back(record.rows.x[i]);
+      half.moment.push_back(record.rows.y[i]);
+    }
+    half.reach =
+        std::min(whole.reach, sign * *(sign > 0.0 ? std::max_element(half.curvature.begin(), half.curvature.end())
+                                                  : std::min_element(half.curvature.begin(), half.curvature.end())));
+    half.misfit = fit.misfit;
+    half.friction = whole.friction;
+    take_curve(sign > 0.0 ? fit.curve : fit.back, half);
+    if (alone) add_errors(fit, half, sign < 0.0);
+    halves.push_back(std::move(half));
+  }
+  if (sense == BentSense::back) std::swap(halves[0], halves[1]);
+  return halves;
+}
+
+// Whether each sense has readings enough for a curve.
+bool has_both(const Record& record) {
+  const auto& x = record.rows.x;
+  const auto up = std::count_if(x.begin(), x.end(), [](double curvature) { return curvature > 0.0; });
+  const auto down = std::count_if(x.begin(), x.end(), [](double curvature) { return curvature < 0.0; });
+  return std::min(up, down) >= static_cast<std::ptrdiff_t>(least_readings);
+}
+
+// The record in order, with what kind it is; what is done to its rows is noted.
+Record record_of(Curve rows, const TestSpec& test, const Channel& x, const Channel& y, BendingSpecimen& specimen) {
+  Record record{.rows = std::move(rows)};
+  const std::vector<double>& curvature = record.rows.x;
+  record.reach = greatest_size(curvature);
+  if (!(record.reach > 0.0))
+    throw InputError(fmt::format("{}: the curvature never leaves zero; choose another column", record.rows.specimen));
+  check_signs(record.rows);
+  if (!test.trust_units) ask_about_curvature(record.rows, test, record.reach);
+  const auto [least, greatest] = std::minmax_element(curvature.begin(), curvature.end());
+  record.two_senses = -*least > both_senses * record.reach && *greatest > both_senses * record.reach;
+  const auto turns = turns_of(curvature, turn_share * (*greatest - *least));
+  record.loop = turns.size() > 2 && curvature.size() >= rows_of_branch * (turns.size() - 1);
+  if (record.loop) {
+    specimen.notes.push_back(
+        fmt::format("the record goes to and fro, in {} branches; friction is told from the curve "
+                    "by Dahl's model",
+                    turns.size() - 1));
+    return record;
+  }
+  for (const double sign : {1.0, -1.0}) {
+    if (!record.two_senses && (sign > 0.0) != (*greatest > -*least)) continue;
+    const auto part = one_sense(record.rows, sign, x, y, specimen.notes);
+    record.readings.insert(record.readings.end(), part.begin(), part.end());
+  }
+  note_senses(record.readings, specimen);
+  return record;
+}
+
 BendingSpecimen table_specimen(Curve raw, const TestSpec& test, const FitSpec& spec, const Channel& x, const Channel& y,
                                bool alone) {
   BendingSpecimen specimen{.name = raw.specimen, .sense = test.sense, .notes = raw.notes};
@@ -225,47 +311,25 @@ BendingSpecimen table_specimen(Curve raw, const TestSpec& test, const FitSpec& s
   rows.notes = {};
   if (test.specimen_width)
     for (double& moment : rows.y) moment /= *test.specimen_width;
-  const double reach = greatest_size(rows.x);
-  if (!(reach > 0.0))
-    throw InputError(fmt::format("{}: the curvature never leaves zero; choose another column", rows.specimen));
-  check_signs(rows);
-  if (!test.trust_units) ask_about_curvature(rows, test, reach);
-  const auto [least, greatest] = std::minmax_element(rows.x.begin(), rows.x.end());
-  const bool two_senses = *least<-both_senses * reach&& * greatest> both_senses * reach;
-  const auto turns = turns_of(rows.x, turn_share * (*greatest - *least));
-  const bool ordered = rows.x.size() >= rows_of_branch * (turns.size() - 1);
-  BendingCurveFit fit;
-  if (ordered && turns.size() > 2) {
-    specimen.notes.push_back(
-        fmt::format("the record goes to and fro, in {} branches; friction is told from the curve "
-                    "by Dahl's model",
-                    turns.size() - 1));
-    fit = fit_loop(rows, reach, two_senses, spec.bending_law.pieces, specimen);
-    if (specimen.friction)
-      specimen.notes.push_back(fmt::format("friction of {:.4g} N over a rise of {:.4g} 1/mm: the loop is {:.4g} N wide",
-                                           specimen.friction->moment, specimen.friction->rise,
-                                           2.0 * specimen.friction->moment));
-    for (std::size_t i = 0; i < rows.x.size(); ++i) {
-      specimen.curvature.push_back(rows.x[i]);
-      specimen.moment.push_back(rows.y[i]);
-    }
-  } else {
-    std::vector<BendingReading> readings;
-    for (const double sign : {1.0, -1.0}) {
-      if (!two_senses && (sign > 0.0) != (*greatest > -*least)) continue;
-      const auto part = one_sense(rows, sign, x, y, specimen.notes);
-      readings.insert(readings.end(), part.begin(), part.end());
-    }
-    note_senses(readings, specimen);
-    fit = fit_once(readings, two_senses, spec.bending_law.pieces, specimen);
-    for (const auto& reading : readings) {
-      specimen.curvature.push_back(reading.curvature);
-      specimen.moment.push_back(reading.moment);
-    }
+  const Record record = record_of(std::move(rows), test, x, y, specimen);
+  const int pieces = spec.bending_law.pieces;
+  const BendingCurveFit fit =
+      record.loop ? fit_loop(record, false, pieces, specimen) : fit_once(record, false, pieces, specimen);
+  if (record.loop && specimen.friction)
+    specimen.notes.push_back(fmt::format("friction of {:.4g} N over a rise of {:.4g} 1/mm: the loop is {:.4g} N wide",
+                                         specimen.friction->moment, specimen.friction->rise,
+                                         2.0 * specimen.friction->moment));
+  if (record.loop) {
+    specimen.curvature = record.rows.x;
+    specimen.moment = record.rows.y;
+  }
+  for (const auto& reading : record.readings) {
+    specimen.curvature.push_back(reading.curvature);
+    specimen.moment.push_back(reading.moment);
   }
   take_curve(fit.curve, specimen);
   specimen.misfit = fit.misfit;
-  if (std::abs(fit.offset) > friction_seen * greatest_size(rows.y))
+  if (std::abs(fit.offset) > friction_seen * greatest_size(record.rows.y))
     specimen.notes.push_back(fmt::format("the moment's zero is off by {:.3g} N; taken out", fit.offset));
   if (!test.trust_units) {
     const Quantity quantity = test.specimen_width ? Quantity::moment : Quantity::moment_per_length;
@@ -277,6 +341,10 @@ BendingSpecimen table_specimen(Curve raw, const TestSpec& test, const FitSpec& s
                                     fitting_units(quantity, test.moment_unit, plausible), test.curvature_unit));
   }
   if (alone) add_errors(fit, specimen);
+  if (record.two_senses) {
+    if (test.sense != BentSense::both && has_both(record)) specimen.half = halves_of(record, test.sense, pieces, alone);
+    specimen.sense = BentSense::both;
+  }
   return specimen;
 }
 
@@ -303,7 +371,7 @@ void ask_about_stiffness(const std::string& specimen, double stiffness, double w
                   specimen, stiffness, std::cbrt(stiffness / weight), weight * 1e6, question));
 }
 
-void add_errors(const BendingCurveFit& fit, BendingSpecimen& specimen) {
+void add_errors(const BendingCurveFit& fit, BendingSpecimen& specimen, bool of_back) {
   constexpr Index least_left = 3;  // readings beyond the unknowns
   if (fit.sensitivity.rows() < fit.sensitivity.cols() + least_left) {
     specimen.notes.push_back(
@@ -314,12 +382,14 @@ void add_errors(const BendingCurveFit& fit, BendingSpecimen& specimen) {
   }
   const CorrelatedErrors known = correlated_errors(fit.sensitivity, fit.residual);
   const auto tangents = static_cast<Index>(fit.error_knot.size());
+  const Index first = of_back ? tangents : 0;
   specimen.freedom = known.freedom;
   for (int i = 0; i <= error_places; ++i) {
     const double curvature = specimen.reach * i / error_places;
     const Eigen::VectorXd g = curve_sensitivity(fit.error_knot, curvature);
     specimen.error_curvature.push_back(curvature);
-    specimen.error.push_back(std::sqrt(std::max(0.0, g.dot(known.covariance.topLeftCorner(tangents, tangents) * g))));
+    specimen.error.push_back(
+        std::sqrt(std::max(0.0, g.dot(known.covariance.block(first, first, tangents, tangents) * g))));
   }
 }
 
@@ -339,7 +409,10 @@ std::vector<BendingSpecimen> moment_curvature_specimens(const TestSpec& test, co
   for_each_specimen(test, spec.file, x, y, [&](Curve raw, std::size_t /*file*/) {
     specimens.push_back(table_specimen(std::move(raw), test, spec, x, y, alone));
   });
-  for (auto& specimen : specimens) specimen.name = name_beside(specimen.name, spec.file);
+  for (auto& specimen : specimens) {
+    specimen.name = name_beside(specimen.name, spec.file);
+    for (auto& half : specimen.half) half.name = specimen.name;
+  }
   return specimens;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 // Tests make these; what an older card says of them is past.
 const std::vector<std::string> measured_tension = {"tension", "linear_modulus", "valid_to", "compression_modulus"};
-const std::vector<std::string> measured_bending = {"rigidity", "bending_out_of_plane"};
+const std::vector<std::string> measured_bending = {"rigidity", "bending_out_of_plane", "bending_out_of_plane_back"};
 // Given once: by one key or by the others.
 const std::vector<std::vector<std::string>> alternatives = {{"section", "fibre_volume_fraction"},
                                                             {"section", "fibre_density"},

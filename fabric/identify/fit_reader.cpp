@@ -291,9 +291,10 @@ void check_bending(const toml::table& root, const FitSpec& spec, Complaints& com
   if (const toml::node* given = root["bending"]["rigidity"].node())
     complaints.add(*given, "'rigidity' of [bending] is given beside tests that measure it; leave out one of them");
   for (const auto& yarn : {root["yarn"], root["yarn"]["warp"], root["yarn"]["weft"]})
-    if (const toml::node* given = yarn["bending_out_of_plane"].node())
-      complaints.add(*given,
-                     "'bending_out_of_plane' is given beside tests of bending, which make it; leave out one of them");
+    for (const char* name : {"bending_out_of_plane", "bending_out_of_plane_back"})
+      if (const toml::node* given = yarn[name].node())
+        complaints.add(
+            *given, fmt::format("'{}' is given beside tests of bending, which make it; leave out one of them", name));
 }
 
 // Whether the tests that make the law can be simulated, and as the file asks.

@@ -116,8 +116,9 @@ const auto direction_key = key<&TestSpec::direction>(
     {.name = "direction", .doc = "the yarns along which the strips are bent: 'warp', 'weft', or 'both' alike"});
 const auto sense_key = key<&TestSpec::sense>(
     {.name = "sense",
-     .doc =
-         "the side that is bent outwards, for the report, which compares both; the card's law is the same both ways"});
+     .doc = "the side that is bent outwards (the convex one: of a hanging strip the upper); of a table that goes both "
+            "ways, at positive curvatures. Where both are tested and differ by more than their bands, the card has a "
+            "law for each; 'both': counts for either, and a table that goes both ways is one law, its odd part"});
 const auto weight_key = key<&TestSpec::weight>({.name = "weight",
                                                 .unit = "N/m^2",
                                                 .limits = above(0, 1e4),
@@ -207,6 +208,7 @@ Keys peirce_only() {
            .doc = "instead: flexural rigidity per width of each specimen; 1e5 mg cm are 1 N mm"}),
       weight_key,
       direction_key,
+      sense_key,
       key<&TestSpec::trust_units>(
           {.name = "trust_units", .doc = "true takes implausible magnitudes as they are instead of asking back"}),
   };

@@ -104,10 +104,17 @@ std::string shear_text(const Identification& found) {
   return "\n[shear]\n" + write_keys(shear_keys(), shear, Echo::given);
 }
 
-void put_curve(const BendingFit& fit, bool with_friction, YarnFile& yarn) {
+// `back`: the law of the other sense; none: `fit` is that of both.
+void put_curve(const BendingFit& fit, const BendingFit* back, bool with_friction, YarnFile& yarn) {
   yarn.bending_out_of_plane = pieces_of(fit.curve, yarn.interval);
-  if (fit.friction && with_friction)
-    yarn.bending_friction = {legible(fit.friction->moment * yarn.interval), legible(fit.friction->rise)};
+  if (back != nullptr) yarn.bending_out_of_plane_back = pieces_of(back->curve, yarn.interval);
+  auto friction = fit.friction;
+  if (back != nullptr && back->friction)
+    friction = friction ? BendingFriction{0.5 * (friction->moment + back->friction->moment),
+                                          0.5 * (friction->rise + back->friction->rise)}
+                        : *back->friction;
+  if (friction && with_friction)
+    yarn.bending_friction = {legible(friction->moment * yarn.interval), legible(friction->rise)};
 }
 
 // Who of the two directions bends as what was measured. Curves are laws of the yarns, which every kind of element that
@@ -117,8 +124,11 @@ void put_bending(const Identification& found, CardParts& parts) {
   const auto fit_of = [&](std::size_t f) { return found.bending[f] ? &found.bends[*found.bending[f]] : nullptr; };
   const std::array<const BendingFit*, 2> fits = {fit_of(0), fit_of(1)};
   if (fits[0] == nullptr && fits[1] == nullptr) return;
-  const bool curves =
-      (fits[0] != nullptr && !fits[0]->is_constant()) || (fits[1] != nullptr && !fits[1]->is_constant());
+  const auto needs_laws = [](const BendingFit* fit) {
+    return fit != nullptr && (!fit->is_constant() || fit->sense != BentSense::both);
+  };
+  const bool curves = needs_laws(fits[0]) || needs_laws(fits[1]);
+  const auto back_of = [](const BendingFit* fit) { return fit->sense == BentSense::face ? fit + 1 : nullptr; };
   const auto before = parts.bending.rigidity;
   std::array<double, 2> rigidity = {0.0, 0.0};
   for (std::size_t f = 0; f < yarn_families.size(); ++f) {
@@ -131,10 +141,13 @@ void put_bending(const Identification& found, CardParts& parts) {
                           : of_yarn > 0.0    ? of_yarn
                                              : other->first_stiffness());
     if (!curves) continue;
+    if (fits[f] != nullptr || before || own.empty()) yarn.bending_out_of_plane_back.clear();
     if (fits[f] != nullptr && !fits[f]->is_constant())
-      put_curve(*fits[f], found.spec.bending_law.friction, yarn);
+      put_curve(*fits[f], back_of(fits[f]), found.spec.bending_law.friction, yarn);
     else if (fits[f] != nullptr || before || own.empty())
       yarn.bending_out_of_plane = {{0.0, endless, {legible(rigidity[f] * yarn.interval)}}};
+    if (fits[f] != nullptr && fits[f]->is_constant() && back_of(fits[f]) != nullptr)
+      yarn.bending_out_of_plane_back = {{0.0, endless, {legible(back_of(fits[f])->rigidity * yarn.interval)}}};
   }
   parts.bending.rigidity = curves ? std::nullopt : std::optional(rigidity);
 }
@@ -177,7 +190,7 @@ void assume_bending(Identification& found) {
                          found.spec.bending.rigidity || !found.spec.yarn[f].bending_out_of_plane.empty()
                              ? "that of the fit file or of the base card"
                              : "the first of the other direction's"));
-  assume(card.yarn[0].bending_in_plane == card.yarn[0].bending_out_of_plane
+  assume(card.yarn[0].bending_in_plane == card.yarn[0].bending_out_of_plane.face()
              ? "bending in the fabric's plane is not measured: that out of the plane"
              : "bending in the fabric's plane is not measured: that of the fit file or of the base card");
   assume(card.bending.twist
@@ -232,8 +245,7 @@ void state_assumptions(Identification& found) {
 
 double first_rigidity(const Card& card, std::size_t f) {
   if (card.bending.rigidity) return (*card.bending.rigidity)[f];
-  const TangentLaw& law = card.yarn[f].bending_out_of_plane;
-  return law.pieces().empty() ? 0.0 : law.tangent(0.0) / card.yarn[f].interval;
+  return card.yarn[f].bending_out_of_plane.first_stiffness() / card.yarn[f].interval;
 }
 
 void compare_bending(Identification& found) {
@@ -279,6 +291,11 @@ void simulate(Identification& found, const Simulation& simulation) {
 }
 
 }  // namespace
+
+bool Identification::makes_bending(std::size_t fit) const {
+  const std::size_t first = bends[fit].sense == BentSense::back ? fit - 1 : fit;
+  return bending[0] == first || bending[1] == first;
+}
 
 bool Identification::shear_from_frame() const {
   return frame.has_value() && spec.shear.from != ShearSource::bias_extension;

@@ -25,7 +25,8 @@ struct Identification {
   std::optional<ShearFit> frame, bias;    // by the closed forms
   std::optional<SimulatedFit> simulated;  // of the same tests as closed_form(), where [shear] asks for it
   std::vector<BendingFit> bends;          // one for each kind of test and direction
-  std::array<std::optional<std::size_t>, 2> bending;  // which of them makes the card's; none: kept from the base
+  std::array<std::optional<std::size_t>, 2>
+      bending;  // which of them makes the card's (bending_of); none: kept from the base
   Card card;
   std::string card_text;                 // the card as a file, checked by reading it back
   std::vector<std::string> assumptions;  // what was not measured, in sentences
@@ -36,6 +37,8 @@ struct Identification {
   // The closed form's fit of the tests that made it.
   [[nodiscard]] const ShearFit* closed_form() const;
   [[nodiscard]] bool shear_from_frame() const;
+  // Whether a fit of `bends` is in the card.
+  [[nodiscard]] bool makes_bending(std::size_t fit) const;
 };
 
 // `replaced` is the text of the card `file` that the new one will overwrite, whose parts that nothing here measures are

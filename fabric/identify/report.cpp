@@ -71,6 +71,20 @@ std::string shear_rows(const Identification& found) {
   return text;
 }
 
+std::string bending_row(const BendingFit& fit, const std::string& family) {
+  const std::string what =
+      fit.sense == BentSense::both ? family : fmt::format("{}, {} outwards", family, name_of(fit.sense));
+  if (fit.is_constant())
+    return fmt::format("| bending along the {}: rigidity | {:.4g} N mm | {:.4g} to {:.4g} | Peirce, specimens: {} |\n",
+                       what, fit.rigidity, fit.rigidity_band[0], fit.rigidity_band[1], fit.rigidities.size());
+  const BendingPoint& end = fit.law.back();
+  return fmt::format("| bending along the {}: first stiffness | {:.4g} N mm | | {}, specimens: {} |\n", what,
+                     fit.first_stiffness(), name_of(fit.source), fit.specimens.size()) +
+         fmt::format("| bending along the {}: moment at {:.4g} 1/mm | {:.4g} N | {:.4g} to {:.4g} | {} pieces |\n",
+                     what, end.curvature, end.moment, end.moment - end.half_band, end.moment + end.half_band,
+                     fit.curve.knot.size());
+}
+
 std::string bending_rows(const Identification& found) {
   if (found.bends.empty()) return "";
   std::string text;
@@ -79,19 +93,9 @@ std::string bending_rows(const Identification& found) {
       text += fmt::format("| bending along the {} | kept | | |\n", yarn_families[f]);
       continue;
     }
-    const BendingFit& fit = found.bends[*found.bending[f]];
-    if (fit.is_constant()) {
-      text += fmt::format(
-          "| bending along the {}: rigidity | {:.4g} N mm | {:.4g} to {:.4g} | Peirce, specimens: {} |\n",
-          yarn_families[f], fit.rigidity, fit.rigidity_band[0], fit.rigidity_band[1], fit.rigidities.size());
-      continue;
-    }
-    text += fmt::format("| bending along the {}: first stiffness | {:.4g} N mm | | {}, specimens: {} |\n",
-                        yarn_families[f], fit.first_stiffness(), name_of(fit.source), fit.specimens.size());
-    const BendingPoint& end = fit.law.back();
-    text += fmt::format("| bending along the {}: moment at {:.4g} 1/mm | {:.4g} N | {:.4g} to {:.4g} | {} pieces |\n",
-                        yarn_families[f], end.curvature, end.moment, end.moment - end.half_band,
-                        end.moment + end.half_band, fit.curve.knot.size());
+    const std::size_t first = *found.bending[f];
+    text += bending_row(found.bends[first], yarn_families[f]);
+    if (found.bends[first].sense == BentSense::face) text += bending_row(found.bends[first + 1], yarn_families[f]);
   }
   return text;
 }
@@ -174,7 +178,7 @@ std::string report_markdown(const Identification& found) {
   if (found.bias) text += shear_section(*found.bias, "Bias extension", "N", closed && !found.shear_from_frame());
   text += both_sources(found);
   for (std::size_t k = 0; k < found.bends.size(); ++k)
-    text += bending_section(found.bends[k], found.spec, found.bending[0] == k || found.bending[1] == k);
+    text += bending_section(found.bends[k], found.spec, found.makes_bending(k));
   return text;
 }
 
@@ -183,9 +187,11 @@ Json bending_json(const BendingFit& fit, bool makes_card) {
                {"source", name_of(fit.source)},
                {"along_warp", fit.along[0]},
                {"along_weft", fit.along[1]},
+               {"sense", name_of(fit.sense)},
                {"makes_card", makes_card},
                {"first_stiffness_N_mm", fit.first_stiffness()},
                {"degrees_of_freedom", fit.freedom}};
+  if (!fit.senses.empty()) json["senses"] = fit.senses;
   if (fit.is_constant()) {
     json["rigidity_N_mm"] = fit.rigidity;
     json["rigidity_interval_N_mm"] = fit.rigidity_band;
@@ -286,7 +292,7 @@ Json fit_json(const Identification& found) {
     json["simulation"]["fit"] = shear_json(found.simulated->fit, simulated_unit(found));
   }
   for (std::size_t k = 0; k < found.bends.size(); ++k)
-    json["bending"].push_back(bending_json(found.bends[k], found.bending[0] == k || found.bending[1] == k));
+    json["bending"].push_back(bending_json(found.bends[k], found.makes_bending(k)));
   return json;
 }
 

@@ -7,17 +7,18 @@
 namespace weaveform {
 namespace {
 
-bool has_law(const TangentLaw YarnCard::*law, const Card& card) {
-  return !(card.yarn[0].*law).pieces().empty() && !(card.yarn[1].*law).pieces().empty();
+bool bends_out_of_plane(const Card& card) {
+  return !card.yarn[0].bending_out_of_plane.empty() && !card.yarn[1].bending_out_of_plane.empty();
 }
 
 // What rotation-free cells need of a card (solver/bending/flexure.hpp).
 bool card_bends_cells(const Card& card) {
-  return card.bending.twist && (card.bending.rigidity || has_law(&YarnCard::bending_out_of_plane, card));
+  return card.bending.twist && (card.bending.rigidity || bends_out_of_plane(card));
 }
 
 bool card_bends_yarns_in_plane(const Card& card) {
-  return has_law(&YarnCard::bending_in_plane, card) && has_law(&YarnCard::bending_out_of_plane, card);
+  return !card.yarn[0].bending_in_plane.pieces().empty() && !card.yarn[1].bending_in_plane.pieces().empty() &&
+         bends_out_of_plane(card);
 }
 
 TakenElement set_cell(Scene& scene, CellElement cell, const std::string& why, const std::string& missed = "") {

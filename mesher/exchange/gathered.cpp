@@ -207,13 +207,13 @@ std::array<double, 2> Gathered::second_moments(const YarnGroup& group) const {
   const double count = group.section / yarn.section;
   if (scene.model.yarn_bending)
     return {count * (*scene.model.yarn_bending)[0] / modulus, count * (*scene.model.yarn_bending)[1] / modulus};
-  if (yarn.bending_out_of_plane.pieces().empty())
+  if (yarn.bending_out_of_plane.empty())
     throw InputError(fmt::format(
         "model.yarn = \"beam\": card '{}' gives no bending_out_of_plane for its yarns; add it to the card, or "
         "set model.yarn_bending = [in plane, out of plane] (N mm^2)",
         card.name));
   return {count * yarn.bending_in_plane.tangent(0.0) / modulus,
-          count * yarn.bending_out_of_plane.tangent(0.0) / modulus};
+          count * yarn.bending_out_of_plane.first_stiffness() / modulus};
 }
 
 int Gathered::node_beside(int element) const {

@@ -8,6 +8,11 @@ const std::vector<Key<FabricSpec>>& fabric_keys() {
       key<&FabricSpec::material>(
           {.name = "material",
            .doc = "built-in card (`twintex-pw`, `twintex-tw`) or path of a card file, relative to the scene file"}),
+      key<&FabricSpec::face>(
+          {.name = "face",
+           .doc = "where the fabric's face looks, for cards with `bending_out_of_plane_back`: `up`, to the side from "
+                  "which warp turns counter-clockwise to weft (+z of the flat blank), or `down`: laid the other way "
+                  "up"}),
   };
   return keys;
 }

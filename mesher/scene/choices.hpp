@@ -16,6 +16,13 @@ constexpr auto choices_of(BlankShape) {
                                             {BlankShape::file, "file"}});
 }
 
+// fabric.face: the side to which the fabric's face looks. up: that of the mesh's normal, from where warp turns
+// counter-clockwise to weft, which is the flat blank's upper side (+z).
+enum class FabricFace { up, down };
+constexpr auto choices_of(FabricFace) {
+  return std::to_array<Choice<FabricFace>>({{FabricFace::up, "up"}, {FabricFace::down, "down"}});
+}
+
 // blank.fit
 enum class LineFit { grips, none };
 constexpr auto choices_of(LineFit) {

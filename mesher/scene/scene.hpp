@@ -17,6 +17,7 @@ using Auto = std::optional<double>;
 
 struct FabricSpec {
   std::string material = "twintex-pw";  // built-in card name, or path of a card file (relative to the scene file)
+  FabricFace face = FabricFace::up;     // which way its face looks: for cards that bend otherwise in the other sense
   bool operator==(const FabricSpec&) const = default;
 };
 

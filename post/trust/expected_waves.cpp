@@ -17,10 +17,10 @@ using std::numbers::pi;
 
 // N mm; per width, of the softer direction.
 double least_rigidity(const Resolved& ply) {
-  const Flexure flexure = choose_flexure(ply.card, ply.scene.model);
+  const Flexure flexure = choose_flexure(ply.card, ply.scene);
   const double curvature = WrinkleLimits{}.curvature(ply.mesh.thickness);
   const auto secant = [&](std::size_t f) {
-    return (flexure.out_of_plane[f].stress(curvature) + flexure.shell[f].stress(curvature)) / curvature /
+    return (flexure.out_of_plane[f].mean_secant(curvature) + flexure.shell[f].mean_secant(curvature)) /
            ply.card.yarn[f].interval;
   };
   return std::min(secant(0), secant(1));

@@ -24,7 +24,7 @@ constexpr int signal_look = 16;                // steps between looks at Ctrl-C
 Resolved model_of(const std::string& scene, const std::vector<std::string>& overrides) {
   Findings found;
   const ResolveChecks checks{.of_card = [](const Scene& read, const Card& card) {
-    refuse_friction_in_impulses(choose_flexure(card, read.model), read.analysis.bending_every);
+    refuse_friction_in_impulses(choose_flexure(card, read), read.analysis.bending_every);
   }};
   Resolved model = resolve(scene, overrides, found, checks);
   found.throw_if_any();

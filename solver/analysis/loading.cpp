@@ -47,18 +47,20 @@ double stiffness_under(const TangentLaw& law, double moment, double most_curvatu
 
 // 1/s; see loading.hpp.
 double slowest_sway(const Scene& scene, const Card& card, double length) {
-  const Flexure flexure = choose_flexure(card, scene.model);
+  const Flexure flexure = choose_flexure(card, scene);
   const auto& g = scene.analysis.gravity;
   const double gravity = std::hypot(g[0], g[1], g[2]);
   const double clamp_moment = 0.5 * gravity * card.area_density() * length * length;  // N; per width
   double rigidity = std::numeric_limits<double>::infinity();                          // N mm
   bool softens = false;
   for (std::size_t f = 0; f < 2; ++f) {
-    const TangentLaw& law = (flexure.has_shell ? flexure.shell : flexure.out_of_plane)[f];
+    const BendingLaw& law = (flexure.has_shell ? flexure.shell : flexure.out_of_plane)[f];
     const double interval = card.yarn[f].interval;
-    const double loaded = stiffness_under(law, clamp_moment * interval, 1.0 / card.thickness);
-    softens |= loaded < law.tangent(0.0);
-    rigidity = std::min(rigidity, loaded / interval);
+    for (const TangentLaw* half : {&law.face(), &law.back()}) {
+      const double loaded = stiffness_under(*half, clamp_moment * interval, 1.0 / card.thickness);
+      softens |= loaded < half->tangent(0.0);
+      rigidity = std::min(rigidity, loaded / interval);
+    }
   }
   const double hangs = (softens ? hinge_share : 1.0) * 1.446 * gravity / length;
   return std::sqrt(std::max(12.36 * rigidity / (card.area_density() * std::pow(length, 4)), hangs));

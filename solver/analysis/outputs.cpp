@@ -61,7 +61,7 @@ Outputs::Outputs(const Resolved& model, const World& world, std::filesystem::pat
       row_schedule_(world.duration(), scene_.output.history),
       frame_schedule_(world.duration(), scene_.output.frames) {
   for (std::size_t k = 0; k < model.plies(); ++k)
-    if (has_friction(choose_flexure(model.of_ply(k).card, model.of_ply(k).scene.model))) {
+    if (has_friction(choose_flexure(model.of_ply(k).card, model.of_ply(k).scene))) {
       recorder_.record_bending_friction();
       break;
     }

@@ -15,7 +15,7 @@ std::vector<SymmetricPart> parts_to_solve(const Resolved& model) {
   if (model.symmetry.plane.empty()) return parts;
   for (std::size_t k = 0; k < model.plies(); ++k) {
     const Resolved& ply = model.of_ply(k);
-    parts.push_back(cut_part(ply.mesh, ply.symmetry, choose_flexure(ply.card, ply.scene.model).bends_yarns));
+    parts.push_back(cut_part(ply.mesh, ply.symmetry, choose_flexure(ply.card, ply.scene).bends_yarns));
   }
   return parts;
 }

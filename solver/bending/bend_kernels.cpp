@@ -103,9 +103,11 @@ BendKernels bend_kernels(MomentShape shape, bool isotropic) {
     case MomentShape::short_law:
       return shaped_kernels<CurvedFlexure>(isotropic);
     case MomentShape::long_law:
+      return shaped_kernels<LongFlexure>(isotropic);
+    case MomentShape::sided_law:
       break;
   }
-  return shaped_kernels<LongFlexure>(isotropic);
+  return {&bend_row<false, SidedFlexure>, &loose_bends<false, SidedFlexure>};
 }
 
 void twist_row(const BendRows& row_pointers, const double* stiffness, int begin, int end,

@@ -42,8 +42,8 @@ struct BendKernels {
   LooseBendLoop loose;
 };
 
-// The laws are ConstantFlexure, CurvedFlexure or LongFlexure, as `shape` says. `isotropic`: in plane as out of plane, in
-// both families.
+// The laws are ConstantFlexure, CurvedFlexure, LongFlexure or SidedFlexure, as `shape` says. `isotropic`: in plane as out
+// of plane, in both families and senses.
 [[nodiscard]] BendKernels bend_kernels(MomentShape shape, bool isotropic);
 
 // Twist of full cells: w,12 = q.n/(h1 h2) with q = x00 - x10 - x01 + x11 and n the normal of both diagonals;

@@ -43,7 +43,7 @@ Vector3d plane_normal(const Bend& bend, const std::vector<Vec3>& position) {
   return unit(span_of(bend.yarn[0], position).cross(span_of(bend.yarn[1], position)));
 }
 
-// in, out
+// in, out; out is positive where the yarn turns towards the normal: the other side is bent outwards then
 std::array<double, 2> parts(const Turn& turn, const Vector3d& normal) {
   const double out = turn.c.dot(normal);
   const double in = std::sqrt(std::max(0.0, turn.c.squaredNorm() - out * out));
@@ -84,8 +84,7 @@ double bending_energy(const std::vector<Bend>& bends, const Flexure& flexure, co
     for (int f = 0; f < 2; ++f) {
       const YarnBend& yarn = bend.yarn[f];
       const auto [in, out] = parts(turn_of(yarn, bend.node, position), normal);
-      energy +=
-          yarn.yarns * yarn.spread * (flexure.in_plane[f].energy(in) + flexure.out_of_plane[f].energy(std::abs(out)));
+      energy += yarn.yarns * yarn.spread * (flexure.in_plane[f].energy(in) + flexure.out_of_plane[f].energy(-out));
     }
   }
   return energy;

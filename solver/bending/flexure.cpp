@@ -17,18 +17,16 @@ TangentLaw constant_law(double stiffness) {
   return TangentLaw({{0.0, std::numeric_limits<double>::infinity(), {stiffness}}});
 }
 
-TangentLaw sum_of_laws(const TangentLaw& law, double constant) {
-  if (law.pieces().empty()) return constant_law(constant);
-  auto pieces = law.pieces();
-  for (auto& piece : pieces) piece.coefficient[0] += constant;
-  return TangentLaw(std::move(pieces));
+// The card's law of a yarn, seen from the mesh's normal.
+BendingLaw law_as_laid(const YarnCard& yarn, FabricFace face) {
+  return face == FabricFace::up ? yarn.bending_out_of_plane : yarn.bending_out_of_plane.turned_over();
 }
 
 using Missing = std::vector<std::string>;
 
-void choose_beams(const Card& card, const ModelSpec& model, Flexure& flexure, Missing& missing) {
-  if (!model.yarn_bending &&
-      (card.yarn[0].bending_out_of_plane.pieces().empty() || card.yarn[1].bending_out_of_plane.pieces().empty())) {
+void choose_beams(const Card& card, const Scene& scene, Flexure& flexure, Missing& missing) {
+  const ModelSpec& model = scene.model;
+  if (!model.yarn_bending && (card.yarn[0].bending_out_of_plane.empty() || card.yarn[1].bending_out_of_plane.empty())) {
     missing.push_back("model.yarn = \"beam\": card '" + card.name +
                       "' gives no bending_out_of_plane for its yarns; add it to the card, or set "
                       "model.yarn_bending = [in plane, out of plane] (N mm^2)");
@@ -37,24 +35,25 @@ void choose_beams(const Card& card, const ModelSpec& model, Flexure& flexure, Mi
   for (int f = 0; f < 2; ++f) {
     flexure.in_plane[f] = model.yarn_bending ? constant_law((*model.yarn_bending)[0]) : card.yarn[f].bending_in_plane;
     flexure.out_of_plane[f] =
-        model.yarn_bending ? constant_law((*model.yarn_bending)[1]) : card.yarn[f].bending_out_of_plane;
+        model.yarn_bending ? constant_law((*model.yarn_bending)[1]) : law_as_laid(card.yarn[f], scene.fabric.face);
   }
 }
 
 // N mm^2; what a cell adds per yarn, as a constant, or the yarn's own law where nothing else is known.
-TangentLaw cell_law(const Card& card, const ModelSpec& model, int f, Missing& missing) {
+BendingLaw cell_law(const Card& card, const Scene& scene, int f, Missing& missing) {
+  const ModelSpec& model = scene.model;
   const YarnCard& yarn = card.yarn[f];
   const bool beams = model.yarn == YarnElement::beam;
   if (model.cell_bending) return constant_law((*model.cell_bending)[f] * yarn.interval);
   if (card.bending.rigidity) {
-    const double borne = !beams                                       ? 0.0
-                         : model.yarn_bending                         ? (*model.yarn_bending)[1]
-                         : yarn.bending_out_of_plane.pieces().empty() ? 0.0  // complained about
-                                                                      : yarn.bending_out_of_plane.tangent(0.0);
+    const double borne = !beams                              ? 0.0
+                         : model.yarn_bending                ? (*model.yarn_bending)[1]
+                         : yarn.bending_out_of_plane.empty() ? 0.0  // complained about
+                                                             : yarn.bending_out_of_plane.first_stiffness();
     return constant_law((*card.bending.rigidity)[f] * yarn.interval - borne);
   }
   if (beams) return {};
-  if (!yarn.bending_out_of_plane.pieces().empty()) return yarn.bending_out_of_plane;
+  if (!yarn.bending_out_of_plane.empty()) return law_as_laid(yarn, scene.fabric.face);
   if (f == 0)
     missing.push_back("model.cell = \"" + name_of(model.cell) + "\": card '" + card.name +
                       "' gives neither bending.rigidity nor bending_out_of_plane; add one to the card, or set "
@@ -69,18 +68,19 @@ double needed(const std::optional<double>& value, const Card& card, const char* 
   return value.value_or(0.0);
 }
 
-void choose_cells(const Card& card, const ModelSpec& model, Flexure& flexure, Missing& missing) {
+void choose_cells(const Card& card, const Scene& scene, Flexure& flexure, Missing& missing) {
+  const ModelSpec& model = scene.model;
   flexure.twist = model.cell_bending
                       ? (*model.cell_bending)[2]
                       : needed(card.bending.twist, card, "bending.twist", "model.cell_bending (N mm)", missing);
   for (int f = 0; f < 2; ++f) {
-    const TangentLaw law = cell_law(card, model, f, missing);
+    const BendingLaw law = cell_law(card, scene, f, missing);
     if (flexure.has_shell) {
       flexure.shell[f] = law;
-    } else if (!law.pieces().empty()) {
+    } else if (!law.empty()) {
       // one of the two is constant: beams beside cells leave cells a constant
-      const bool own_law = flexure.out_of_plane[f].pieces().empty();
-      flexure.out_of_plane[f] = own_law ? law : sum_of_laws(flexure.out_of_plane[f], law.tangent(0.0));
+      const bool own_law = flexure.out_of_plane[f].empty();
+      flexure.out_of_plane[f] = own_law ? law : with_constant(flexure.out_of_plane[f], law.first_stiffness());
     }
   }
   if (!flexure.has_shell) return;
@@ -88,7 +88,9 @@ void choose_cells(const Card& card, const ModelSpec& model, Flexure& flexure, Mi
                                  ? *model.transverse_shear
                                  : needed(card.bending.transverse_shear, card, "bending.transverse_shear",
                                           "model.transverse_shear (N/mm)", missing);
-  const auto is_free = [](const TangentLaw& law) { return law.pieces().empty() || !(law.tangent(0.0) > 0.0); };
+  const auto is_free = [](const BendingLaw& law) {
+    return law.empty() || !(law.face().tangent(0.0) > 0.0) || !(law.back().tangent(0.0) > 0.0);
+  };
   if (missing.empty() && (is_free(flexure.shell[0]) || is_free(flexure.shell[1])))
     missing.emplace_back(
         "model.cell = \"shell\": the cells have no bending stiffness of their own, so their rotations would be free; "
@@ -114,17 +116,18 @@ bool any_friction(const std::array<BendingFriction, 2>& friction) {
 
 }  // namespace
 
-Flexure choose_flexure(const Card& card, const ModelSpec& model) {
+Flexure choose_flexure(const Card& card, const Scene& scene) {
+  const ModelSpec& model = scene.model;
   Flexure flexure;
   Missing missing;
   flexure.rotation_free = model.cell == CellElement::rotation_free;
   flexure.has_shell = model.cell == CellElement::shell;
-  if (model.yarn == YarnElement::beam) choose_beams(card, model, flexure, missing);
-  if (flexure.rotation_free || flexure.has_shell) choose_cells(card, model, flexure, missing);
+  if (model.yarn == YarnElement::beam) choose_beams(card, scene, flexure, missing);
+  if (flexure.rotation_free || flexure.has_shell) choose_cells(card, scene, flexure, missing);
   if (!missing.empty()) throw InputError(missing);
   choose_friction(card, model, flexure);
   for (int f = 0; f < 2; ++f)
-    flexure.bends_yarns |= !flexure.in_plane[f].pieces().empty() || !flexure.out_of_plane[f].pieces().empty();
+    flexure.bends_yarns |= !flexure.in_plane[f].pieces().empty() || !flexure.out_of_plane[f].empty();
   return flexure;
 }
 

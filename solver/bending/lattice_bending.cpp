@@ -25,7 +25,9 @@ struct FlexureShape {
   std::array<ConstantFlexure, 2> constant;
   std::array<CurvedFlexure, 2> curved;
   std::array<LongFlexure, 2> looked_up{};
-  std::vector<std::shared_ptr<const LongLaw>> pieces;  // of looked_up
+  std::array<SidedFlexure, 2> sided{};
+  std::vector<std::shared_ptr<const LongLaw>> pieces;         // of looked_up, and of sided in the plane
+  std::vector<std::shared_ptr<const SidedLaw>> sided_pieces;  // of sided
   [[nodiscard]] const void* pointer(int f) const {
     switch (shape) {
       case MomentShape::constant:
@@ -33,9 +35,11 @@ struct FlexureShape {
       case MomentShape::short_law:
         return &curved[f];
       case MomentShape::long_law:
+        return &looked_up[f];
+      case MomentShape::sided_law:
         break;
     }
-    return &looked_up[f];
+    return &sided[f];
   }
   // Only constants that are alike spare the normal: a curved law depends on each part of the curvature by itself.
   [[nodiscard]] bool isotropic() const {
@@ -46,17 +50,29 @@ struct FlexureShape {
 FlexureShape shape_flexure(const Flexure& flexure) {
   FlexureShape shape;
   for (int f = 0; f < 2; ++f) {
-    for (const TangentLaw* law : {&flexure.in_plane[f], &flexure.out_of_plane[f]})
-      shape.shape = std::max(shape.shape, moment_shape(*law));
-    shape.constant[f] = {flexure.in_plane[f].tangent(0.0), flexure.out_of_plane[f].tangent(0.0)};
+    shape.shape = std::max({shape.shape, moment_shape(flexure.in_plane[f]), moment_shape(flexure.out_of_plane[f])});
+    shape.constant[f] = {flexure.in_plane[f].tangent(0.0), flexure.out_of_plane[f].face().tangent(0.0)};
   }
   for (int f = 0; f < 2; ++f) {
-    const TangentLaw &in = flexure.in_plane[f], &out = flexure.out_of_plane[f];
-    if (shape.shape == MomentShape::short_law) shape.curved[f] = {packed_moment(in), packed_moment(out)};
-    if (shape.shape != MomentShape::long_law) continue;
-    shape.pieces.push_back(long_moment(in));
-    shape.pieces.push_back(long_moment(out));
-    shape.looked_up[f] = {shape.pieces[2 * f].get(), shape.pieces[2 * f + 1].get()};
+    const TangentLaw& in = flexure.in_plane[f];
+    const BendingLaw& out = flexure.out_of_plane[f];
+    switch (shape.shape) {
+      case MomentShape::constant:
+        break;
+      case MomentShape::short_law:
+        shape.curved[f] = {packed_moment(in), packed_moment(out.face())};
+        break;
+      case MomentShape::long_law:
+        shape.pieces.push_back(long_moment(in));
+        shape.pieces.push_back(long_moment(out.face()));
+        shape.looked_up[f] = {shape.pieces[2 * f].get(), shape.pieces[2 * f + 1].get()};
+        break;
+      case MomentShape::sided_law:
+        shape.pieces.push_back(long_moment(in));
+        shape.sided_pieces.push_back(sided_moment(out));
+        shape.sided[f] = {shape.pieces[f].get(), shape.sided_pieces[f].get()};
+        break;
+    }
   }
   return shape;
 }
@@ -406,9 +422,9 @@ void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, doub
       const double greatest = fold / yarn.spread;
       const double stiffness =
           of_large_turns * yarn.yarns / yarn.spread *
-          std::max(p.flexure.in_plane[f].stiffest(0.0, greatest) + stiffest_friction(p.flexure.friction_in_plane[f]),
-                   p.flexure.out_of_plane[f].stiffest(0.0, greatest) +
-                       stiffest_friction(p.flexure.friction_out_of_plane[f]));
+          std::max(
+              p.flexure.in_plane[f].stiffest(0.0, greatest) + stiffest_friction(p.flexure.friction_in_plane[f]),
+              p.flexure.out_of_plane[f].stiffest(greatest) + stiffest_friction(p.flexure.friction_out_of_plane[f]));
       const double before = yarn.fixed_before ? 0.0 : 1.0 / distance(yarn.before, bend.node);
       const double after = yarn.fixed_after ? 0.0 : 1.0 / distance(bend.node, yarn.after);
       const double sum = 2.0 * (before + after);

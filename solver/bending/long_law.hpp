@@ -7,19 +7,22 @@
 
 namespace weaveform {
 
-// A constant stiffness, a law of a few pieces summed without branches (GeneralLaw), and one of many, looked up.
-enum class MomentShape { constant, short_law, long_law };
+// A constant stiffness, a law of a few pieces summed without branches (GeneralLaw), one of many, looked up, and one that
+// is another in each sense of bending, looked up too.
+enum class MomentShape { constant, short_law, long_law, sided_law };
 
-struct LongLaw {
-  static constexpr int most_pieces = 256;  // with that beyond a finite end
+// `sides`: laws that lie one after another in the same columns.
+template <int sides>
+struct LookedUpLaw {
+  static constexpr int most_pieces = 256;  // of each, with that beyond a finite end
   static constexpr int most_terms = 6;     // of the moment's polynomial: a stiffness of degree 5
-  double from[most_pieces];                // 1/mm; rising; beyond the last piece none begins: 1e30
-  double moment[most_pieces];              // N mm; where each begins
-  double coefficient[most_terms][most_pieces];
+  double from[sides * most_pieces];        // 1/mm; rising; beyond the last piece none begins: 1e30
+  double moment[sides * most_pieces];      // N mm; where each begins
+  double coefficient[most_terms][sides * most_pieces];
 
-  // M at a curvature >= 0
-  [[gnu::always_inline]] inline double stress(double curvature) const {
-    int p = 0;
+  // M at a curvature >= 0, of the law whose pieces begin at `first`
+  [[gnu::always_inline]] inline double stress(double curvature, int first = 0) const {
+    int p = first;
 #pragma GCC unroll 8
     for (int half = most_pieces / 2; half > 0; half /= 2) p += curvature >= from[p + half] ? half : 0;
     const double t = curvature - from[p];
@@ -29,5 +32,9 @@ struct LongLaw {
     return moment[p] + polynomial * t;
   }
 };
+using LongLaw = LookedUpLaw<1>;
+
+// The half with the side of the mesh's normal outwards, then the other.
+using SidedLaw = LookedUpLaw<2>;
 
 }  // namespace weaveform

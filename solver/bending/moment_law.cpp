@@ -37,6 +37,23 @@ std::vector<TangentPiece> from_zero(const TangentLaw& law) {
   return pieces;
 }
 
+// Into the columns from `first` on.
+template <int sides>
+void look_up(const TangentLaw& law, int first, LookedUpLaw<sides>& packed) {
+  std::fill_n(packed.from + first, LongLaw::most_pieces, never);
+  packed.from[first] = 0.0;
+  if (law.pieces().empty()) return;
+  const auto pieces = from_zero(law);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const std::size_t p = first + k;
+    packed.from[p] = pieces[k].from;
+    packed.moment[p] = law.stress(pieces[k].from);
+    const Polynomial stiffness = about(pieces[k].coefficient, pieces[k].from);
+    for (std::size_t n = 0; n < stiffness.size(); ++n)
+      packed.coefficient[n][p] = stiffness[n] / static_cast<double>(n + 1);
+  }
+}
+
 }  // namespace
 
 MomentShape moment_shape(const TangentLaw& law) {
@@ -57,6 +74,13 @@ MomentShape moment_shape(const TangentLaw& law) {
   return MomentShape::long_law;
 }
 
+MomentShape moment_shape(const BendingLaw& law) {
+  const MomentShape face = moment_shape(law.face());
+  if (law.is_odd()) return face;
+  (void)moment_shape(law.back());  // complains
+  return MomentShape::sided_law;
+}
+
 GeneralLaw packed_moment(const TangentLaw& law) {
   GeneralLaw packed;
   if (!law.pieces().empty() && !pack_law(law, packed)) throw InputError("material: a bending law is not a short one");
@@ -66,17 +90,15 @@ GeneralLaw packed_moment(const TangentLaw& law) {
 std::shared_ptr<const LongLaw> long_moment(const TangentLaw& law) {
   auto packed = std::make_shared<LongLaw>();
   *packed = {};
-  std::fill(std::begin(packed->from), std::end(packed->from), never);
-  packed->from[0] = 0.0;
-  if (law.pieces().empty()) return packed;
-  const auto pieces = from_zero(law);
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    packed->from[p] = pieces[p].from;
-    packed->moment[p] = law.stress(pieces[p].from);
-    const Polynomial stiffness = about(pieces[p].coefficient, pieces[p].from);
-    for (std::size_t n = 0; n < stiffness.size(); ++n)
-      packed->coefficient[n][p] = stiffness[n] / static_cast<double>(n + 1);
-  }
+  look_up(law, 0, *packed);
+  return packed;
+}
+
+std::shared_ptr<const SidedLaw> sided_moment(const BendingLaw& law) {
+  auto packed = std::make_shared<SidedLaw>();
+  *packed = {};
+  look_up(law.face(), 0, *packed);
+  look_up(law.back(), SidedLaw::most_pieces, *packed);
   return packed;
 }
 

@@ -24,7 +24,9 @@ struct ShellMoment {
   ConstantMoment constant;
   CurvedMoment curved;
   LongMoment looked_up{};
-  std::shared_ptr<const LongLaw> pieces;  // of looked_up
+  SidedMoment sided{};
+  std::shared_ptr<const LongLaw> pieces;         // of looked_up
+  std::shared_ptr<const SidedLaw> sided_pieces;  // of sided
   [[nodiscard]] const void* pointer() const {
     switch (shape) {
       case MomentShape::constant:
@@ -32,20 +34,32 @@ struct ShellMoment {
       case MomentShape::short_law:
         return &curved;
       case MomentShape::long_law:
+        return &looked_up;
+      case MomentShape::sided_law:
         break;
     }
-    return &looked_up;
+    return &sided;
   }
 };
 
-ShellMoment shell_moment(const TangentLaw& law) {
+ShellMoment shell_moment(const BendingLaw& law) {
   ShellMoment moment;
   moment.shape = moment_shape(law);
-  moment.constant = {law.tangent(0.0)};
-  if (moment.shape == MomentShape::short_law) moment.curved.law = packed_moment(law);
-  if (moment.shape == MomentShape::long_law) {
-    moment.pieces = long_moment(law);
-    moment.looked_up.law = moment.pieces.get();
+  switch (moment.shape) {
+    case MomentShape::constant:
+      moment.constant = {law.face().tangent(0.0)};
+      break;
+    case MomentShape::short_law:
+      moment.curved.law = packed_moment(law.face());
+      break;
+    case MomentShape::long_law:
+      moment.pieces = long_moment(law.face());
+      moment.looked_up.law = moment.pieces.get();
+      break;
+    case MomentShape::sided_law:
+      moment.sided_pieces = sided_moment(law);
+      moment.sided.law = moment.sided_pieces.get();
+      break;
   }
   return moment;
 }
@@ -237,7 +251,7 @@ struct Shell::Parts {
   [[nodiscard]] std::vector<double> rotational_bound() const {
     std::vector<double> bound(mesh.node_count(), 0.0);
     for (const auto& edge : edges) {
-      const double stiffest = flexure.shell[edge.family].stiffest(0.0, 3.2 / edge.rest_length) +
+      const double stiffest = flexure.shell[edge.family].stiffest(3.2 / edge.rest_length) +
                               stiffest_friction(flexure.friction_shell[edge.family]);
       for (const int n : edge.node) bound[n] += edge.shear_stiffness + 4.0 * edge.yarns * stiffest / edge.rest_length;
     }
@@ -514,7 +528,7 @@ void Shell::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabr
   for (const auto& edge : p.edges) {
     const auto &a = position[edge.node[0]], &b = position[edge.node[1]];
     const double square = std::pow(b[0] - a[0], 2) + std::pow(b[1] - a[1], 2) + std::pow(b[2] - a[2], 2);
-    const double stiffest = p.flexure.shell[edge.family].stiffest(0.0, 3.2 / edge.rest_length) +
+    const double stiffest = p.flexure.shell[edge.family].stiffest(3.2 / edge.rest_length) +
                             stiffest_friction(p.flexure.friction_shell[edge.family]);
     // bending feels the edge's turn once its ends' directors differ, at most by 2
     const double stiffness = (4.0 * edge.shear_stiffness + 16.0 * edge.yarns * stiffest / edge.rest_length) / square;

@@ -55,7 +55,7 @@ double shell_energy(const std::vector<ShellEdge>& edges, const std::vector<Twist
   double energy = 0.0;
   for (const auto& edge : edges) {
     const auto [curvature, shear] = strains(edge.node[0], edge.node[1], edge.rest_length, position, director);
-    energy += edge.yarns * edge.rest_length * flexure.shell[edge.family].energy(std::abs(curvature)) +
+    energy += edge.yarns * edge.rest_length * flexure.shell[edge.family].energy(curvature) +
               0.5 * edge.shear_stiffness * shear * shear;
   }
   for (const auto& cell : cells) {
@@ -81,8 +81,9 @@ double shell_hourglass_energy(const std::vector<TwistCell>& cells, const Flexure
       const auto lower = strains(n[0], f == 0 ? n[1] : n[3], spacing[f], position, director);
       const auto upper = strains(f == 0 ? n[3] : n[1], n[2], spacing[f], position, director);
       const double curvature = 0.5 * (upper[0] - lower[0]), shear = 0.5 * (upper[1] - lower[1]);
-      energy += cell.area * (flexure.shell[f].energy(std::abs(curvature)) / card.yarn[f].interval +
-                             0.5 * flexure.transverse_shear * shear * shear);
+      // the two edges of the mode bend one each way
+      const double bent = 0.5 * (flexure.shell[f].energy(curvature) + flexure.shell[f].energy(-curvature));
+      energy += cell.area * (bent / card.yarn[f].interval + 0.5 * flexure.transverse_shear * shear * shear);
     }
   return energy;
 }

@@ -93,9 +93,11 @@ EdgeKernels edge_kernels(MomentShape shape) {
     case MomentShape::short_law:
       return {&edge_row<CurvedMoment>, &loose_edges<CurvedMoment>};
     case MomentShape::long_law:
+      return {&edge_row<LongMoment>, &loose_edges<LongMoment>};
+    case MomentShape::sided_law:
       break;
   }
-  return {&edge_row<LongMoment>, &loose_edges<LongMoment>};
+  return {&edge_row<SidedMoment>, &loose_edges<SidedMoment>};
 }
 
 void shell_twist_row(const ShellRows& row_pointers, double inverse_spacing1, double inverse_spacing2,

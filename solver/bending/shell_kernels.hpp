@@ -33,7 +33,7 @@ struct EdgeKernels {
   EdgeRow row;
   LooseEdgeLoop loose;
 };
-// The law is a ConstantMoment, CurvedMoment or LongMoment, as `shape` says.
+// The law is a ConstantMoment, CurvedMoment, LongMoment or SidedMoment, as `shape` says.
 [[nodiscard]] EdgeKernels edge_kernels(MomentShape shape);
 
 // Twist of the cells with corners a[i], a[i+1], b[i], b[i+1]; `stiffness` = D_66 A (N mm^3). On a[i] p, on b[i+1] -p,

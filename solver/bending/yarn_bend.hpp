@@ -5,6 +5,8 @@
 //   kappa_out^2 = (c.n)^2 r/l^2 ,  kappa_in^2 = (u - (c.n)^2) r/l^2                    90 deg 0.7 % off, never falling)
 // Energy l (W_in(kappa_in) + W_out(kappa_out)), W the integral of the moment law, so that with the secants S = M/kappa
 //   dE = l (S_in d(kappa_in^2)/2 + S_out d(kappa_out^2)/2) .
+// A law of two senses has S_out of the half that holds: where c.n < 0 the side of the normal is bent outwards (its `face`
+// half), where c.n > 0 the other. S jumps where the halves meet, at kappa_out = 0; the force is S kappa and does not.
 // Pure bending closes a chain of N chords into a circle at M = B 2 pi/L, to 1 % for N = 4 and 1e-4 for N = 10.
 #pragma once
 
@@ -15,28 +17,44 @@
 
 namespace weaveform {
 
-// Constant flexural stiffness (N mm^2), in plane and out of plane.
+// Constant flexural stiffness (N mm^2), in plane and out of plane. `turn`: c.n, of whose sign odd laws know nothing.
 struct ConstantFlexure {
   double in = 0.0, out = 0.0;
   [[gnu::always_inline]] inline double secant_in(double /*square*/) const { return in; }
-  [[gnu::always_inline]] inline double secant_out(double /*square*/) const { return out; }
+  [[gnu::always_inline]] inline double secant_out(double /*square*/, double /*turn*/) const { return out; }
 };
 
-// Moment-curvature laws, of few pieces and of many; a curvature below 1e-9/mm is as good as none.
+// Moment-curvature laws, of few pieces, of many and of two senses; a curvature below 1e-9/mm is as good as none.
 template <class Law>
 [[gnu::always_inline]] inline double law_secant(const Law& law, double square) {
   const double curvature = std::sqrt(square) + 1e-9;
   return law.stress(curvature) / curvature;
 }
+[[gnu::always_inline]] inline double sided_secant(const SidedLaw& law, double square, bool outwards) {
+  const double curvature = std::sqrt(square) + 1e-9;
+  return law.stress(curvature, outwards ? 0 : SidedLaw::most_pieces) / curvature;
+}
 struct CurvedFlexure {
   GeneralLaw in, out;
   [[gnu::always_inline]] inline double secant_in(double square) const { return law_secant(in, square); }
-  [[gnu::always_inline]] inline double secant_out(double square) const { return law_secant(out, square); }
+  [[gnu::always_inline]] inline double secant_out(double square, double /*turn*/) const {
+    return law_secant(out, square);
+  }
 };
 struct LongFlexure {
   const LongLaw *in, *out;
   [[gnu::always_inline]] inline double secant_in(double square) const { return law_secant(*in, square); }
-  [[gnu::always_inline]] inline double secant_out(double square) const { return law_secant(*out, square); }
+  [[gnu::always_inline]] inline double secant_out(double square, double /*turn*/) const {
+    return law_secant(*out, square);
+  }
+};
+struct SidedFlexure {
+  const LongLaw* in;
+  const SidedLaw* out;
+  [[gnu::always_inline]] inline double secant_in(double square) const { return law_secant(*in, square); }
+  [[gnu::always_inline]] inline double secant_out(double square, double turn) const {
+    return sided_secant(*out, square, turn < 0.0);
+  }
 };
 
 // dE/dt+ = g = -dE/dt-, and what the normal feels, dE/dn, added to h. `yarns` bend over `spread` = 1/inverse_spread.
@@ -51,13 +69,13 @@ template <bool isotropic, class Flexure>
   const double slope = 1.0 / 12 + u * (2.0 / 90 + u * (3.0 / 560));  // dr/du
   const double scale = yarns * inverse_spread, square = inverse_spread * inverse_spread;
   if constexpr (isotropic) {
-    const double factor = scale * flexure.secant_out(u * r * square) * (r + u * slope);
+    const double factor = scale * flexure.secant_out(u * r * square, 0.0) * (r + u * slope);
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) g[k] = factor * c[k];
   } else {
     const double a = c[0] * n[0] + c[1] * n[1] + c[2] * n[2];
     const double out = a * a, in = u > out ? u - out : 0.0;
-    const double s_in = flexure.secant_in(in * r * square), s_out = flexure.secant_out(out * r * square);
+    const double s_in = flexure.secant_in(in * r * square), s_out = flexure.secant_out(out * r * square, a);
     const double of_c = scale * (slope * (s_in * in + s_out * out) + r * s_in);
     const double of_n = scale * r * (s_out - s_in) * a;
 #pragma GCC unroll 3

@@ -54,7 +54,7 @@ void Ply::add_own_actors(const PlySetup& setup) {
     coupling_ = coupling.get();
     add(std::move(coupling));
   }
-  const Flexure flexure = choose_flexure(card_, scene_.model);
+  const Flexure flexure = choose_flexure(card_, scene_);
   // a shear frame's members turn, so that yarns are not clamped in them
   const auto clamped =
       scene_.frame ? std::vector<char>(mesh_.node_count(), 0) : held_nodes(holds_.grips(), mesh_, packed_);

@@ -49,20 +49,24 @@ Mesh chain(int elements, const Card& card) {
 
 Flexure yarn_flexure(const TangentLaw& law) {
   Flexure flexure;
-  flexure.in_plane[0] = flexure.out_of_plane[0] = law;
+  flexure.in_plane[0] = law;
+  flexure.out_of_plane[0] = law;
   flexure.bends_yarns = true;
   return flexure;
 }
 
 // Laws per width.
-Flexure strip_flexure(Bender bender, const TangentLaw& per_width, const Card& card, double shear) {
-  auto pieces = per_width.pieces();
-  for (auto& piece : pieces)
-    for (auto& c : piece.coefficient) c *= card.yarn[0].interval;
-  const TangentLaw law(pieces);
+Flexure strip_flexure(Bender bender, const BendingLaw& per_width, const Card& card, double shear) {
+  const auto of_yarn = [&](const TangentLaw& half) {
+    auto pieces = half.pieces();
+    for (auto& piece : pieces)
+      for (auto& c : piece.coefficient) c *= card.yarn[0].interval;
+    return TangentLaw(pieces);
+  };
+  const BendingLaw law(of_yarn(per_width.face()), of_yarn(per_width.back()));
   Flexure flexure;
   flexure.bends_yarns = bender != Bender::shell;
-  if (bender == Bender::beam) flexure.in_plane = {law, law};
+  if (bender == Bender::beam) flexure.in_plane = {law.face(), law.face()};
   flexure.rotation_free = bender == Bender::rotation_free;
   flexure.has_shell = bender == Bender::shell;
   (bender == Bender::shell ? flexure.shell : flexure.out_of_plane) = {law, law};
@@ -90,7 +94,7 @@ Cantilever yarn_cantilever(int elements, const TangentLaw& law) {
 }
 
 // `law` per width; the strip is `stretch` times as long as its cells are said to be.
-Cantilever strip_cantilever(Bender bender, int cells, const TangentLaw& law, double shear, double longer = 0.0,
+Cantilever strip_cantilever(Bender bender, int cells, const BendingLaw& law, double shear, double longer = 0.0,
                             double strip_length = length, int across = 0) {
   const Card card = load_card("twintex-pw");
   Scene scene;
@@ -109,7 +113,7 @@ Cantilever strip_cantilever(Bender bender, int cells, const TangentLaw& law, dou
   auto fabric = std::make_unique<StaticFabric>(std::move(mesh), card, ModelSpec{},
                                                strip_flexure(bender, law, card, shear), clamped);
   const int tip = fabric->node_at(0.5 * total, 0.0);
-  return {std::move(fabric), law.tangent(0.0) * width, card.area_density() * width, -0.5 * total, total, tip};
+  return {std::move(fabric), law.face().tangent(0.0) * width, card.area_density() * width, -0.5 * total, total, tip};
 }
 
 Cantilever cantilever(Bender bender, int cells, double shear = stiff_shear) {
@@ -407,10 +411,10 @@ Measured yielding_strip(Bender bender, int cells) {
   return tip_error(c, solve_rod(rod, 1000), weight({0.0, 0.0, -rod.weight / c.weight}));
 }
 
-Measured strip_of_law(Bender bender, int cells, const TangentLaw& law, const std::function<double(double)>& curvature,
+Measured strip_of_law(Bender bender, int cells, const BendingLaw& law, const std::function<double(double)>& curvature,
                       double overhang, double weight_of_area) {
   Cantilever c = strip_cantilever(bender, cells, law, stiff_shear, 0.0, overhang, 4);
-  const double width = c.stiffness / law.tangent(0.0);
+  const double width = c.stiffness / law.face().tangent(0.0);
   const Rod rod{.length = overhang,
                 .curvature = [&](double moment) { return curvature(moment / width); },
                 .weight = weight_of_area * width};

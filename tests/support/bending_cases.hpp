@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fabric/law/tangent_law.hpp"
+#include "fabric/law/bending_law.hpp"
 #include "mesher/mesh/mesh.hpp"
 
 namespace weaveform::test {
@@ -46,9 +46,9 @@ Measured yielding_strip(Bender bender, int cells);       // heavy, with a law th
 // The heavy strip with a length that is no whole number of cells: `cells` and 0.4 of one more.
 Measured cut_strip(Bender bender, int cells);
 
-// A strip of any law (per width), overhang (mm) and weight (N/mm^2), four cells wide: drop of its tip
-// against the rod whose curvature of a moment per width is `curvature`.
-Measured strip_of_law(Bender bender, int cells, const TangentLaw& law, const std::function<double(double)>& curvature,
+// A strip of any law (per width), overhang (mm) and weight (N/mm^2), four cells wide, whose upper side is bent outwards: drop
+// of its tip against the rod whose curvature of a moment per width is `curvature`. The law's face is the upper side.
+Measured strip_of_law(Bender bender, int cells, const BendingLaw& law, const std::function<double(double)>& curvature,
                       double overhang, double weight);
 
 // w L^3/B at which a heavy rod's chord is inclined by 41.5 deg, found by bisection.

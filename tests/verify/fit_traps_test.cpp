@@ -181,7 +181,7 @@ TEST(FitTraps, NothingTypedIntoACardIsLostAtTheNextFit) {
   const auto again = identify::identify(spec, edited);
   EXPECT_EQ(again.card.bending.rigidity, (std::array<double, 2>{2.0, 3.0}));
   EXPECT_EQ(again.card.bending.twist, 0.25);
-  EXPECT_FALSE(again.card.yarn[0].bending_out_of_plane.pieces().empty());
+  EXPECT_FALSE(again.card.yarn[0].bending_out_of_plane.empty());
   const auto says = [&](const identify::Identification& found, const std::string& words) {
     return std::any_of(found.warnings.begin(), found.warnings.end(),
                        [&](const auto& warning) { return warning.find(words) != std::string::npos; });

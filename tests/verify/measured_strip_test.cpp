@@ -52,7 +52,7 @@ const TangentLaw& fitted_law() {
   static const TangentLaw law = [] {
     const auto found = identify::identify(identify::read_fit(examples + "preform.toml"));
     const YarnCard& yarn = found.card.yarn[0];
-    auto pieces = yarn.bending_out_of_plane.pieces();
+    auto pieces = yarn.bending_out_of_plane.face().pieces();
     for (auto& piece : pieces)
       for (auto& c : piece.coefficient) c /= yarn.interval;
     return TangentLaw(pieces);

@@ -23,6 +23,7 @@ set(VERIFY_SOURCES
   verify/stack_cases_test.cpp
   verify/stack_test.cpp
   verify/tension_shear_test.cpp
+  verify/two_senses_test.cpp
   verify/stability_binder_test.cpp
   verify/stability_friction_test.cpp
   verify/stability_loading_speed_test.cpp

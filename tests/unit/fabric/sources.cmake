@@ -5,6 +5,7 @@ set(UNIT_FABRIC_SOURCES
   unit/fabric/identify/identify_raw_table_test.cpp
   unit/fabric/identify/identify_shear_test.cpp
   unit/fabric/identify/identify_tension_test.cpp
+  unit/fabric/law/bending_law_test.cpp
   unit/fabric/law/law_test.cpp
   unit/fabric/law/polynomial_test.cpp
 )

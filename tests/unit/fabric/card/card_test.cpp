@@ -150,6 +150,41 @@ TEST(Card, FrictionInBendingIsReadAndWritten) {
   EXPECT_NE(said[0].find("'rise'"), std::string::npos) << said[0];
 }
 
+const std::string two_senses =
+    "bending_out_of_plane = [{ from = 0, to = 0.1, coefficients = [5, -20] }, { from = 0.1, coefficients = [3] }]\n"
+    "bending_out_of_plane_back = [{ from = 0, coefficients = [9] }]\n";
+
+TEST(Card, BendingOfBothSensesIsReadAndWritten) {
+  const Card card = read_card_text(card_text("[shear]", two_senses + "[shear]"), "c.toml");
+  for (const YarnCard& yarn : card.yarn) {
+    EXPECT_EQ(yarn.bending_out_of_plane.face().tangent(0.05), 4.0);
+    EXPECT_EQ(yarn.bending_out_of_plane.back().tangent(0.05), 9.0);
+    EXPECT_EQ(yarn.bending_in_plane, yarn.bending_out_of_plane.face());
+  }
+  EXPECT_EQ(read_card_text(card_to_toml(card), "again"), card) << card_to_toml(card);
+}
+
+TEST(Card, AFamilysOwnBendingIsOneForBothSensesUnlessItSaysOtherwise) {
+  const std::string own = "[yarn.weft]\nbending_out_of_plane = [{ from = 0, coefficients = [7] }]\n";
+  const Card card = read_card_text(card_text("[shear]", two_senses + own + "[shear]"), "c.toml");
+  EXPECT_FALSE(card.yarn[0].bending_out_of_plane.is_odd());
+  EXPECT_TRUE(card.yarn[1].bending_out_of_plane.is_odd());
+  EXPECT_EQ(card.yarn[1].bending_out_of_plane.face().tangent(0.0), 7.0);
+  EXPECT_EQ(card_to_toml(read_card_text(card_text("[shear]", own + "[shear]"), "c.toml")).find("_back"),
+            std::string::npos);
+}
+
+TEST(Card, BendingOfTheBackAloneIsComplainedOf) {
+  const std::string said =
+      card_complaint("[shear]", "bending_out_of_plane_back = [{ from = 0, coefficients = [9] }]\n[shear]");
+  EXPECT_NE(said.find("'bending_out_of_plane_back' alone"), std::string::npos) << said;
+  const std::string negative = card_complaint(
+      "[shear]",
+      "bending_out_of_plane = [{ from = 0, coefficients = [5] }]\nbending_out_of_plane_back = [{ from = 0, "
+      "coefficients = [9, -100] }]\n[shear]");
+  EXPECT_NE(negative.find("bending_out_of_plane_back of the yarn turns negative"), std::string::npos) << negative;
+}
+
 TEST(Card, TablesOfAFamilyWinOverTheCommonOne) {
   const Card card = read_card_text(card_text("[shear]", "[yarn.weft]\nsection = 3.5\n[shear]"), "c.toml");
   EXPECT_EQ(card.yarn[0].section, 1.25);

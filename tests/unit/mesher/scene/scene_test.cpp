@@ -31,6 +31,7 @@ Scene unusual_scene() {
   Scene scene;
   scene.file = "s.toml";
   scene.fabric.material = "cards/a \"b\" \\ c.toml";
+  scene.fabric.face = FabricFace::down;
   scene.blank = {.shape = BlankShape::rectangle,
                  .size = {0.1, 1e5 / 3},
                  .yarn_angle = -12.5,

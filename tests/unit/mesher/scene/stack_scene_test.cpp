@@ -54,6 +54,12 @@ TEST(StackScene, APlyTakesOverWhatItLeavesOutAndLeavesBehindWhatIsOfNoUseToIt) {
   EXPECT_EQ(scene_of_ply(scene, 0).fabric.material, "twintex-pw");
 }
 
+TEST(StackScene, AnyPlyMayLieFaceDown) {
+  const Scene scene = stack_scene(two_plies + "face = \"down\"\n");
+  EXPECT_EQ(scene_of_ply(scene, 0).fabric.face, FabricFace::up);
+  EXPECT_EQ(scene_of_ply(scene, 1).fabric.face, FabricFace::down);
+}
+
 TEST(StackScene, AShapeOfItsOwnDoesNotBringTheOthersCorners) {
   const Scene scene = stack_scene(
       "[blank]\nshape = \"polygon\"\ncorners = [[0, 0], [90, 0], [0, 90]]\n[[ply]]\nname = \"a\"\n[[ply]]\nname = "

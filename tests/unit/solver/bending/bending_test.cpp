@@ -42,7 +42,7 @@ TangentLaw in_many_pieces(const TangentLaw& law) {
   return TangentLaw(pieces);
 }
 
-Flexure flexure(const TangentLaw& in, const TangentLaw& out, double twist) {
+Flexure flexure(const TangentLaw& in, const BendingLaw& out, double twist) {
   Flexure result;
   result.in_plane = {in, in};
   result.out_of_plane = {out, out};
@@ -84,7 +84,9 @@ protected:
     if (kind == 0) return flexure(constant(5.0), constant(5.0), 0.0);   // isotropic
     if (kind == 1) return flexure(constant(30.0), constant(5.0), 0.7);  // with the fabric's normal, and twist
     if (kind == 2) return flexure(curved(20.0), curved(5.0), 0.7);
-    return flexure(in_many_pieces(curved(20.0)), curved(5.0), 0.7);
+    if (kind == 3) return flexure(in_many_pieces(curved(20.0)), curved(5.0), 0.7);
+    if (kind == 4) return flexure(curved(20.0), {curved(5.0), in_many_pieces(curved(9.0))}, 0.7);  // two senses
+    return flexure(constant(5.0), {constant(5.0), constant(9.0)}, 0.7);
   }
 };
 
@@ -161,18 +163,102 @@ TEST_P(BendingOf, TrellisShearAndRigidMotionGiveNoForce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AnglesAndLaws, BendingOf,
-                         testing::Combine(testing::Values(0.0, 30.0, 45.0), testing::Values(0, 1, 2, 3)));
+                         testing::Combine(testing::Values(0.0, 30.0, 45.0), testing::Values(0, 1, 2, 3, 4, 5)));
 
 // Measured curves come in dozens of pieces: what a law is cut into does not matter, but for rounding.
 TEST(Bending, ALawInManyPiecesIsTheSameLaw) {
   const auto few = flexure(curved(20.0), curved(5.0), 0.7);
-  const auto many = flexure(in_many_pieces(few.in_plane[0]), in_many_pieces(few.out_of_plane[0]), 0.7);
+  const auto many = flexure(in_many_pieces(few.in_plane[0]), in_many_pieces(few.out_of_plane[0].face()), 0.7);
   CrumpledPatch crumpled(30.0);
   const auto one = crumpled.forces(few), other = crumpled.forces(many);
   double greatest = 0.0;
   for (const auto& f : one) greatest = std::max(greatest, f.norm());
   ASSERT_GT(greatest, 0.1);
   for (std::size_t n = 0; n < one.size(); ++n) EXPECT_LT((one[n] - other[n]).norm(), 1e-12 * greatest) << n;
+}
+
+// z -> -z turns the fabric over: warp x weft goes the other way, and what had one side outwards has the other. To the bit:
+// every product and sum has its sign turned, or not.
+TEST(Bending, AMirroredSheetWithSwappedHalvesHasMirroredForces) {
+  const BendingLaw law(curved(5.0), in_many_pieces(curved(9.0)));
+  CrumpledPatch crumpled(30.0);
+  std::fill(crumpled.held.begin(), crumpled.held.end(), 0);
+  const auto force = crumpled.forces(flexure(curved(20.0), law, 0.7));
+  const auto not_swapped = crumpled.forces(flexure(curved(20.0), law.turned_over(), 0.7));
+  for (double& z : crumpled.patch.state.position[2]) z = -z;
+  const auto mirrored = crumpled.forces(flexure(curved(20.0), law.turned_over(), 0.7));
+  double difference = 0.0;
+  for (std::size_t n = 0; n < force.size(); ++n) {
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(mirrored[n][c], c == 2 ? -force[n][c] : force[n][c]) << n;
+    difference = std::max(difference, (force[n] - not_swapped[n]).norm());
+  }
+  EXPECT_GT(difference, 0.01);
+}
+
+TEST(Bending, EqualHalvesGiveTheBitsOfAnOddLaw) {
+  CrumpledPatch crumpled(30.0);
+  const auto odd = crumpled.forces(flexure(curved(20.0), curved(5.0), 0.7)),
+             equal = crumpled.forces(flexure(curved(20.0), {curved(5.0), curved(5.0)}, 0.7));
+  for (std::size_t n = 0; n < odd.size(); ++n) EXPECT_EQ(odd[n], equal[n]);
+}
+
+// Along a dome the side of the normal is outwards, which is the face of a fabric that lies face up; in a bowl the other.
+TEST(Bending, TheSenseIsThatOfTheSideOutwards) {
+  constexpr double radius = 50.0;
+  const BendingLaw law(constant(5.0), constant(9.0));
+  for (const double up : {1.0, -1.0}) {  // a bowl rises to its rim
+    FabricPatch patch("twintex-pw", 0.0, {60.0, 60.0});
+    patch.move([&](const Vector3d& x) {
+      return Vector3d(radius * std::sin(x[0] / radius), x[1], up * radius * (1.0 - std::cos(x[0] / radius)));
+    });
+    const auto bends = find_bends(patch.mesh, std::vector<char>(patch.mesh.node_count(), 0));
+    const auto position = mesh_positions(patch.packed, patch.state);
+    const auto energy = [&](const BendingLaw& out) {
+      return bending_energy(bends, flexure(constant(20.0), out, 0.0), position);
+    };
+    EXPECT_DOUBLE_EQ(energy(law), energy(constant(up > 0.0 ? 9.0 : 5.0)));
+    EXPECT_GT(energy(law), 0.0);
+  }
+}
+
+// Whatever bends has the card's two halves, changed about where the fabric lies face down; beams beside cells too.
+TEST(Bending, AFabricThatLiesFaceDownHasItsHalvesChangedAbout) {
+  const BendingLaw law(curved(5.0), constant(9.0));
+  Card card = load_card("twintex-pw");
+  for (auto& yarn : card.yarn) yarn.bending_out_of_plane = law;
+  card.bending.rigidity.reset();
+  Scene scene;
+  for (const FabricFace face : {FabricFace::up, FabricFace::down}) {
+    scene.fabric.face = face;
+    const BendingLaw laid = face == FabricFace::up ? law : law.turned_over();
+    scene.model.yarn = YarnElement::truss;
+    scene.model.cell = CellElement::rotation_free;
+    EXPECT_EQ(choose_flexure(card, scene).out_of_plane[0], laid);
+    scene.model.cell = CellElement::shell;
+    EXPECT_EQ(choose_flexure(card, scene).shell[1], laid);
+    scene.model.yarn = YarnElement::beam;
+    scene.model.cell = CellElement::membrane;
+    EXPECT_EQ(choose_flexure(card, scene).out_of_plane[1], laid);
+    scene.model.cell = CellElement::rotation_free;
+    scene.model.cell_bending = {{1.0, 1.0, 0.1}};
+    EXPECT_EQ(choose_flexure(card, scene).out_of_plane[0], with_constant(laid, card.yarn[0].interval));
+    scene.model.cell_bending.reset();
+  }
+}
+
+// The stiffer sense bounds the step.
+TEST(Bending, TheStepIsThatOfTheStifferSense) {
+  FabricPatch patch;
+  const std::vector<char> held(patch.mesh.node_count(), 0);
+  const auto bound = [&](const BendingLaw& out) {
+    const LatticeBending bending(patch.mesh, patch.packed, flexure(constant(1.0), out, 0.7), held, patch.state,
+                                 alone());
+    std::vector<double> sums(patch.mesh.node_count(), 0.0);
+    bending.add_stiffness_bound(patch.mesh.nodes.position, 0.0, sums);
+    return sums;
+  };
+  EXPECT_EQ(bound({constant(5.0), constant(9.0)}), bound(constant(9.0)));
+  EXPECT_EQ(bound({constant(9.0), constant(5.0)}), bound(constant(9.0)));
 }
 
 TEST(Bending, MomentsOfLawsOfAllShapesAreThoseOfTheCard) {
@@ -188,12 +274,21 @@ TEST(Bending, MomentsOfLawsOfAllShapesAreThoseOfTheCard) {
       EXPECT_NEAR(packed->stress(curvature), law.stress(curvature), 1e-12 * (1e-3 + std::abs(law.stress(curvature))));
     }
   }
+  const auto sided = sided_moment({curved(3.0), longest});
+  for (int k = 0; k < 4000; ++k) {
+    const double curvature = 2e-8 * k * k * k;
+    EXPECT_EQ(sided->stress(curvature), long_moment(curved(3.0))->stress(curvature));
+    EXPECT_EQ(sided->stress(curvature, SidedLaw::most_pieces), long_moment(longest)->stress(curvature));
+  }
+  EXPECT_EQ(moment_shape(BendingLaw(constant(2.0), constant(3.0))), MomentShape::sided_law);
+  EXPECT_EQ(moment_shape(BendingLaw(curved(2.0), curved(2.0))), MomentShape::short_law);
   EXPECT_EQ(moment_shape(constant(2.0)), MomentShape::constant);
   EXPECT_EQ(moment_shape(TangentLaw()), MomentShape::constant);
   EXPECT_EQ(moment_shape(curved(2.0)), MomentShape::short_law);
   EXPECT_EQ(moment_shape(longest), MomentShape::long_law);
   steps.push_back({1e-3 * 255 * 255, 1e-3 * 256 * 256, {1.0}});
   EXPECT_THROW((void)moment_shape(TangentLaw(steps)), InputError);  // 256, and what goes on beyond the last
+  EXPECT_THROW((void)moment_shape(BendingLaw(constant(2.0), TangentLaw(steps))), InputError);
   EXPECT_THROW((void)moment_shape(TangentLaw({{0.0, 1.0, {1, 1, 1, 1, 1, 1, 1}}})), InputError);
 }
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "solver/bending/bending_energy.hpp"
+#include "solver/bending/shell_energy.hpp"
 #include "tests/support/fabric_patch.hpp"
 
 namespace weaveform {
@@ -16,20 +17,21 @@ namespace {
 using Eigen::Vector3d;
 using test::FabricPatch;
 
-// A constant stiffness, a curved one, and one of 20 steps that fall.
-enum class Moment { constant, curved, steps };
+// A constant stiffness, a curved one, one of 20 steps that fall, and one that is another in each sense.
+enum class Moment { constant, curved, steps, sided };
 
-TangentLaw moment_law(Moment moment) {
+BendingLaw moment_law(Moment moment) {
   const double infinity = std::numeric_limits<double>::infinity();
   if (moment == Moment::constant) return TangentLaw({{0.0, infinity, {8.0}}});
   if (moment == Moment::curved) return TangentLaw({{0.0, 0.05, {8.0, 60.0}}, {0.05, infinity, {2.0}}});
+  if (moment == Moment::sided) return {moment_law(Moment::curved).face(), TangentLaw({{0.0, infinity, {14.0}}})};
   std::vector<TangentPiece> steps;
   for (int k = 0; k < 20; ++k) steps.push_back({0.01 * k, 0.01 * (k + 1), {12.0 - 0.5 * k, -2.0}});
   return TangentLaw(steps);
 }
 
 Flexure shell_flexure(Moment moment) {
-  const TangentLaw law = moment_law(moment);
+  const BendingLaw law = moment_law(moment);
   Flexure flexure;
   flexure.shell = {law, law};
   flexure.twist = 0.9;
@@ -160,7 +162,58 @@ TEST_P(ShellOf, TrellisShearAndRigidMotionGiveNoForce) {
 
 INSTANTIATE_TEST_SUITE_P(AnglesAndLaws, ShellOf,
                          testing::Combine(testing::Values(0.0, 30.0, 45.0),
-                                          testing::Values(Moment::constant, Moment::curved, Moment::steps)));
+                                          testing::Values(Moment::constant, Moment::curved, Moment::steps,
+                                                          Moment::sided)));
+
+// As in bending_test.cpp: directors, which are the fabric's normals, turn over as well.
+TEST(Shell, AMirroredSheetWithSwappedHalvesHasMirroredForces) {
+  ShellPatch p(30.0, 0.3);
+  Flexure flexure = shell_flexure(Moment::sided);
+  auto directors = p.crumpled_directors();
+  const auto shell = p.shell(flexure);
+  shell->set_directors(directors);
+  const auto force = p.add_forces(*shell);
+  const auto director_force = shell->director_forces();
+  for (auto& law : flexure.shell) law = law.turned_over();
+  for (double& z : p.patch.state.position[2]) z = -z;
+  for (auto& d : directors) d = {-d[0], -d[1], d[2]};
+  const auto mirror = p.shell(flexure);
+  mirror->set_directors(directors);
+  const auto mirrored = p.add_forces(*mirror);
+  const auto mirrored_director = mirror->director_forces();
+  double greatest = 0.0;
+  for (std::size_t n = 0; n < force.size(); ++n) {
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_EQ(mirrored[n][c], c == 2 ? -force[n][c] : force[n][c]) << n;
+      EXPECT_EQ(mirrored_director[n][c], c == 2 ? director_force[n][c] : -director_force[n][c]) << n;
+    }
+    greatest = std::max(greatest, force[n].norm());
+  }
+  EXPECT_GT(greatest, 0.1);
+}
+
+// Along a dome the side of the normal, which is up, is outwards.
+TEST(Shell, TheSenseIsThatOfTheSideOutwards) {
+  constexpr double radius = 50.0;
+  const BendingLaw law = moment_law(Moment::sided);
+  for (const double up : {1.0, -1.0}) {
+    FabricPatch patch("twintex-pw", 0.0, {60.0, 60.0});
+    std::vector<Vec3> position, director;
+    for (const auto& x : patch.mesh.nodes.position) {
+      const double turn = x[0] / radius;
+      position.push_back({radius * std::sin(turn), x[1], up * radius * (1.0 - std::cos(turn))});
+      director.push_back({-up * std::sin(turn), 0.0, std::cos(turn)});
+    }
+    const auto edges = find_shell_edges(patch.mesh, patch.card, 0.0);
+    const auto energy = [&](const BendingLaw& of) {
+      Flexure flexure;
+      flexure.shell = {of, of};
+      return shell_energy(edges, {}, flexure, patch.mesh.spacing, position, director);
+    };
+    EXPECT_DOUBLE_EQ(energy(law), energy(up > 0.0 ? law.back() : law.face()));
+    EXPECT_GT(energy(law), 0.0);
+  }
+}
 
 // Alternating directors are the mode that one point at a cell's centre does not see.
 TEST(Shell, AlternatingDirectorsCostEnergyAndAreCountedAsHourglass) {
