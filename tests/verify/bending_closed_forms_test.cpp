@@ -13,10 +13,9 @@
 #include "solver/bending/bending_energy.hpp"
 #include "solver/bending/shell_energy.hpp"
 #include "tests/support/bending_cases.hpp"
+#include "tests/support/cantilever_strip.hpp"
 #include "tests/support/elastica.hpp"
 #include "tests/support/fabric_patch.hpp"
-#include "tests/support/scene_run.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/support/trust.hpp"
 
 namespace weaveform {
@@ -182,82 +181,46 @@ TEST(CantileverScene, TheTipHangsWhereTheHeavyElasticaDoes) {
   rod.weight = run.card.area_density() * 9810.0;
   rod.curvature = [d = (*run.card.bending.rigidity)[0]](double moment) { return moment / d; };
   const auto shape = test::solve_rod(rod);
-  double end = 0.0;  // of the last crossings along the strip; the mesher may stop a sliver short of the outline
-  for (const auto& flat : run.mesh.nodes.position) end = std::max(end, flat[0]);
-  double x = 0.0, drop = 0.0;
-  int tips = 0;
-  for (int n = 0; n < run.mesh.node_count(); ++n) {
-    if (run.mesh.nodes.position[n][0] < end - 1e-6) continue;
-    x += run.result.position[n][0] + 0.5 * length;
-    drop -= run.result.position[n][2];
-    ++tips;
-  }
-  const double s = end + 0.5 * length;
-  ASSERT_NEAR(s, length, 1e-3 * length);
-  EXPECT_NEAR(x / tips, shape.x_at(s), 0.005 * length);
-  EXPECT_NEAR(drop / tips, shape.drop_at(s), 0.005 * length);
-  RecordProperty("tip_x_mm", std::to_string(x / tips) + " of " + std::to_string(shape.x_at(s)));
-  RecordProperty("tip_drop_mm", std::to_string(drop / tips) + " of " + std::to_string(shape.drop_at(s)));
+  const test::StripTip tip = test::tip_of(run);
+  ASSERT_NEAR(tip.along, length, 1e-3 * length);
+  EXPECT_NEAR(tip.x, shape.x_at(tip.along), 0.005 * length);
+  EXPECT_NEAR(tip.drop, shape.drop_at(tip.along), 0.005 * length);
+  RecordProperty("tip_x_mm", std::to_string(tip.x) + " of " + std::to_string(shape.x_at(tip.along)));
+  RecordProperty("tip_drop_mm", std::to_string(tip.drop) + " of " + std::to_string(shape.drop_at(tip.along)));
   // at rest: the kinetic energy of the end against the weight's work
   EXPECT_LT(run.last("kinetic_energy_mJ"), 1e-6 * rod.weight * width * length * shape.drop.back());
 }
 
 // A strip whose yarns are 50 times as stiff at first as they are under its weight.
-struct SofteningStrip {
-  static constexpr double stiff = 500.0, soft = 10.0, knee = 1e-4;  // N mm^2, N mm^2, 1/mm
-  test::TemporaryFolder folder;
-
-  SofteningStrip() {
-    std::string text = read_text_file(std::string(WEAVEFORM_SOURCE_DIR) + "/fabric/cards/twintex-pw.toml");
-    const auto replace = [&](const std::string& begin, const std::string& by) {
-      const auto at = text.find(begin);
-      text.replace(at, text.find('\n', at) - at, by);
-    };
-    replace("rigidity = ", "");
-    replace("bending_out_of_plane = ",
-            fmt::format("bending_out_of_plane = [{{ from = 0.0, to = {}, coefficients = [{}] }}, {{ from = {}, "
-                        "coefficients = [{}] }}]",
-                        knee, stiff, knee, soft));
-    std::ofstream(folder.path() / "softens.toml") << text;
-  }
-  [[nodiscard]] test::Solved run(std::vector<std::string> overrides) const {
-    for (const char* line : {"model.yarn_stiffness_scale=0.1", "model.yarn_law=\"linear\""})
-      overrides.emplace_back(line);
-    overrides.push_back("fabric.material=\"" + (folder.path() / "softens.toml").string() + "\"");
-    return test::Solved(test::example("cantilever_pw", overrides));
-  }
-};
+constexpr double strip_stiff = 500.0, strip_soft = 10.0, strip_knee = 1e-4;  // N mm^2, N mm^2, 1/mm
+test::StripWithLaw softening_strip() {
+  return test::StripWithLaw(
+      fmt::format("bending_out_of_plane = [{{ from = 0.0, to = {}, coefficients = [{}] }}, {{ from = {}, "
+                  "coefficients = [{}] }}]",
+                  strip_knee, strip_stiff, strip_knee, strip_soft));
+}
 
 TEST(CantileverScene, AStripWhoseLawSoftensHangsWhereTheElasticaDoesToo) {
-  const SofteningStrip strip;
+  const test::StripWithLaw strip = softening_strip();
   const test::Solved run = strip.run({"blank.size=[128, 15]"});
   const double length = run.scene.blank.size[0], interval = run.card.yarn[0].interval;
   test::Rod rod{.length = length, .curvature = {}};
   rod.weight = run.card.area_density() * 9810.0;
   rod.curvature = [&](double moment) {  // per width
-    const double m = std::abs(moment) * interval, first = SofteningStrip::stiff * SofteningStrip::knee;
-    const double curvature =
-        m < first ? m / SofteningStrip::stiff : SofteningStrip::knee + (m - first) / SofteningStrip::soft;
+    const double m = std::abs(moment) * interval, first = strip_stiff * strip_knee;
+    const double curvature = m < first ? m / strip_stiff : strip_knee + (m - first) / strip_soft;
     return std::copysign(curvature, moment);
   };
   const auto shape = test::solve_rod(rod);
-  double end = 0.0, x = 0.0, drop = 0.0;
-  for (const auto& flat : run.mesh.nodes.position) end = std::max(end, flat[0]);
-  int tips = 0;
-  for (int n = 0; n < run.mesh.node_count(); ++n) {
-    if (run.mesh.nodes.position[n][0] < end - 1e-6) continue;
-    x += run.result.position[n][0] + 0.5 * length;
-    drop -= run.result.position[n][2];
-    ++tips;
-  }
+  const test::StripTip tip = test::tip_of(run);
   EXPECT_GT(shape.drop.back(), 0.4 * length);
-  EXPECT_NEAR(x / tips, shape.x_at(end + 0.5 * length), 0.01 * length);
-  EXPECT_NEAR(drop / tips, shape.drop_at(end + 0.5 * length), 0.01 * length);
+  EXPECT_NEAR(tip.x, shape.x_at(tip.along), 0.01 * length);
+  EXPECT_NEAR(tip.drop, shape.drop_at(tip.along), 0.01 * length);
   EXPECT_TRUE(test::warnings_of(run).empty());
 }
 
 TEST(CantileverScene, AStripThatIsStoppedOnItsWaySaysSo) {
-  const SofteningStrip strip;
+  const test::StripWithLaw strip = softening_strip();
   const std::vector<std::string> hasty = {"analysis.duration=0.153", "analysis.damping=157", "blank.coarsening=2"};
   EXPECT_TRUE(test::says(test::warnings_of(strip.run(hasty)), "has not come to rest"));
 }

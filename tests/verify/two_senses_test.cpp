@@ -5,14 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
-#include "core/files/files.hpp"
 #include "tests/support/bending_cases.hpp"
+#include "tests/support/cantilever_strip.hpp"
 #include "tests/support/elastica.hpp"
-#include "tests/support/scene_run.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace weaveform {
 namespace {
@@ -63,53 +60,28 @@ INSTANTIATE_TEST_SUITE_P(Kinds, TwoSenses, testing::Values(Bender::beam, Bender:
                          });
 
 // The same fabric as a card, for scenes.
-struct TwoSensesCard {
-  test::TemporaryFolder folder;
-
-  TwoSensesCard() {
-    std::string text = read_text_file(std::string(WEAVEFORM_SOURCE_DIR) + "/fabric/cards/twintex-pw.toml");
-    const auto replace = [&](const std::string& begin, const std::string& by) {
-      const auto at = text.find(begin);
-      text.replace(at, text.find('\n', at) - at, by);
-    };
-    const double interval = load_card("twintex-pw").yarn[0].interval;
-    replace("rigidity = ", "");
-    replace("bending_out_of_plane = ",
-            fmt::format("bending_out_of_plane = [{{ from = 0.0, to = 0.02, coefficients = [{}, {}] }}, {{ from = 0.02, "
-                        "coefficients = [{}] }}]\nbending_out_of_plane_back = [{{ from = 0.0, coefficients = [{}] }}]",
-                        4.0 * interval, -150.0 * interval, interval, 6.0 * interval));
-    std::ofstream(folder.path() / "two_senses.toml") << text;
-  }
-  [[nodiscard]] test::Solved run(std::vector<std::string> overrides) const {
-    for (const char* line : {"model.yarn_stiffness_scale=0.1", "model.yarn_law=\"linear\""})
-      overrides.emplace_back(line);
-    overrides.push_back("fabric.material=\"" + (folder.path() / "two_senses.toml").string() + "\"");
-    return test::Solved(test::example("cantilever_pw", overrides));
-  }
-};
+test::StripWithLaw two_sided_strip() {
+  const double interval = load_card("twintex-pw").yarn[0].interval;
+  return test::StripWithLaw(
+      fmt::format("bending_out_of_plane = [{{ from = 0.0, to = 0.02, coefficients = [{}, {}] }}, {{ from = 0.02, "
+                  "coefficients = [{}] }}]\nbending_out_of_plane_back = [{{ from = 0.0, coefficients = [{}] }}]",
+                  4.0 * interval, -150.0 * interval, interval, 6.0 * interval));
+}
 
 // Laid face up it hangs by the face's half, face down by the back's; 26 cells and the yarns' stretch leave half a percent of
 // the length (bending_closed_forms_test.cpp).
 TEST(TwoSensesScene, FabricFaceTellsWhichHalfHolds) {
-  const TwoSensesCard fabric;
+  const test::StripWithLaw fabric = two_sided_strip();
   for (const bool up : {true, false}) {
     const test::Solved run = fabric.run({up ? "fabric.face=\"up\"" : "fabric.face=\"down\"", "blank.size=[128, 15]"});
     const double length = run.scene.blank.size[0];
     test::Rod rod{.length = length, .curvature = up ? face_curvature : back_curvature};
     rod.weight = run.card.area_density() * 9810.0;
     const auto shape = test::solve_rod(rod);
-    double end = 0.0, x = 0.0, drop = 0.0;
-    for (const auto& flat : run.mesh.nodes.position) end = std::max(end, flat[0]);
-    int tips = 0;
-    for (int n = 0; n < run.mesh.node_count(); ++n) {
-      if (run.mesh.nodes.position[n][0] < end - 1e-6) continue;
-      x += run.result.position[n][0] + 0.5 * length;
-      drop -= run.result.position[n][2];
-      ++tips;
-    }
-    RecordProperty(up ? "up" : "down", fmt::format("{} of {}", drop / tips, shape.drop_at(end + 0.5 * length)));
-    EXPECT_NEAR(x / tips, shape.x_at(end + 0.5 * length), 0.01 * length) << up;
-    EXPECT_NEAR(drop / tips, shape.drop_at(end + 0.5 * length), 0.01 * length) << up;
+    const test::StripTip tip = test::tip_of(run);
+    RecordProperty(up ? "up" : "down", fmt::format("{} of {}", tip.drop, shape.drop_at(tip.along)));
+    EXPECT_NEAR(tip.x, shape.x_at(tip.along), 0.01 * length) << up;
+    EXPECT_NEAR(tip.drop, shape.drop_at(tip.along), 0.01 * length) << up;
   }
 }
 
@@ -117,7 +89,7 @@ TEST(TwoSensesScene, FabricFaceTellsWhichHalfHolds) {
 // the flat, where its stiffness jumps. Without damping; of the work done a thousandth may be missing (the balance of any run
 // of leapfrog steps, which is of second order in them).
 TEST(TwoSensesScene, TurnedOverItMovesAsItsMirrorImageAndKeepsItsEnergy) {
-  const TwoSensesCard fabric;
+  const test::StripWithLaw fabric = two_sided_strip();
   for (const char* kind : {"rotation-free", "shell"}) {
     const std::vector<std::string> swing = {"analysis.duration=0.4", "analysis.damping=0", "blank.coarsening=2",
                                             std::string("model.cell=\"") + kind + "\""};
