@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/files/files.hpp"
+#include "solver/analysis/checkpoint.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace weaveform {
@@ -37,6 +38,13 @@ TEST(FuzzCorpusFolders, AreThoseOfTheTargets) {
   for (const auto& entry : fs::directory_iterator(corpus)) folders.insert(entry.path().filename());
   for (const auto& target : fuzz::targets()) names.insert(target.name);
   EXPECT_EQ(folders, names);
+}
+
+// Those of another format are turned away by their first line, and try nothing.
+TEST(FuzzCorpusFolders, HoldCheckpointsOfTodaysFormat) {
+  const std::string today = checkpoint_bytes({}, [](Archive&) {}),
+                    seed = read_text_file(corpus / "checkpoint" / "whole");
+  EXPECT_EQ(seed.substr(0, seed.find('\n')), today.substr(0, today.find('\n')));
 }
 
 }  // namespace
