@@ -53,6 +53,8 @@ void PlySurface::add_triangles(const Mesh& mesh, const PackedMesh& packed) {
     const int begin = mesh.cells.offset[c], end = mesh.cells.offset[c + 1];
     for (int k = begin + 1; k + 1 < end; ++k) {
       const std::array<int, 3> node = {mesh.cells.node[begin], mesh.cells.node[k], mesh.cells.node[k + 1]};
+      // corners of the outline that no yarn ends at have no place
+      if (std::any_of(node.begin(), node.end(), [&](int n) { return std::isnan(place[n][0]); })) continue;
       const Vec2 origin = place[node[0]], first = minus(place[node[1]], origin), second = minus(place[node[2]], origin);
       const double longest = std::max({length(first), length(second), length(minus(second, first))});
       if (!(cross(first, second) > least_height * longest)) continue;
