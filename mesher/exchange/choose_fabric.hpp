@@ -17,7 +17,8 @@ struct FabricElements {
 
 // Lines are yarns, unless the element sets `warp` and `weft` say which; shells are cells, but those named like one of
 // `tools` (shells_named). Of a file with several instances the fabric is the one, or that of the one part, with both;
-// `part` names it where there are more, and nothing is said of the parts and instances in `others`. Throws InputError when there is none, or more than one and no name.
+// `part` names it where there are more, and nothing is said of the parts and instances in `others`. Throws InputError
+// when there is none, or more than one and no name.
 [[nodiscard]] FabricElements choose_fabric(const ForeignMesh& file, const std::vector<std::string>& tools,
                                            const std::string& part, const std::vector<std::string>& others);
 

@@ -22,7 +22,8 @@ namespace weaveform {
 
 // [part of the duration, relative speed] as the `speed` of a tool has them, with three decimals, the greatest speed 1;
 // from the history of a run in which `tool` made its whole way, at any course. Masses are means between the halves of
-// the gaps to the neighbouring points, and an eighth of the greatest at least. None where nothing moved. Throws InputError when the history lacks a column.
+// the gaps to the neighbouring points, and an eighth of the greatest at least. None where nothing moved. Throws
+// InputError when the history lacks a column.
 [[nodiscard]] std::vector<std::vector<double>> gentle_course(const History& history, const std::string& tool);
 
 }  // namespace weaveform

@@ -4,6 +4,8 @@ set(VERIFY_SOURCES
   verify/drape_start_test.cpp
   verify/drape_triangles_test.cpp
   verify/fit_bending_test.cpp
+  verify/fit_bending_traps_test.cpp
+  verify/fit_two_senses_test.cpp
   verify/fit_coverage_test.cpp
   verify/fit_paper_tables_test.cpp
   verify/measured_strip_test.cpp

@@ -80,14 +80,14 @@ TEST(TwoSensesScene, FabricFaceTellsWhichHalfHolds) {
     const auto shape = test::solve_rod(rod);
     const test::StripTip tip = test::tip_of(run);
     RecordProperty(up ? "up" : "down", fmt::format("{} of {}", tip.drop, shape.drop_at(tip.along)));
-    EXPECT_NEAR(tip.x, shape.x_at(tip.along), 0.01 * length) << up;
-    EXPECT_NEAR(tip.drop, shape.drop_at(tip.along), 0.01 * length) << up;
+    EXPECT_NEAR(tip.x, shape.x_at(tip.along), 0.005 * length) << up;
+    EXPECT_NEAR(tip.drop, shape.drop_at(tip.along), 0.005 * length) << up;
   }
 }
 
 // Turned over and drawn upwards it moves as it does face up and downwards, and its energy is kept: the strip swings through
-// the flat, where its stiffness jumps. Without damping; of the work done a thousandth may be missing (the balance of any run
-// of leapfrog steps, which is of second order in them).
+// the flat, where its stiffness jumps. Without damping; 2.5e-7 of the work done was missing with rotation-free cells, 6.7e-6
+// with shells (the balance of any run of leapfrog steps, of second order in them): 15 times that.
 TEST(TwoSensesScene, TurnedOverItMovesAsItsMirrorImageAndKeepsItsEnergy) {
   const test::StripWithLaw fabric = two_sided_strip();
   for (const char* kind : {"rotation-free", "shell"}) {
@@ -105,7 +105,7 @@ TEST(TwoSensesScene, TurnedOverItMovesAsItsMirrorImageAndKeepsItsEnergy) {
       greatest = std::max(greatest, std::abs(a[2]));
     }
     EXPECT_GT(greatest, 1.0);
-    EXPECT_LT(up.result.statistics.energy_error, 1e-3) << kind;
+    EXPECT_LT(up.result.statistics.energy_error, 1e-4) << kind;
     RecordProperty(kind, fmt::format("{}", up.result.statistics.energy_error));
   }
 }
