@@ -13,31 +13,37 @@ namespace weaveform {
 // Force per length, N/L (N/mm): the nodal force is this times the vector between the nodes. `length_squared` is L^2,
 // `rest` L0 and `excess` L^2 - L0^2, in mm, the last with all the digits that there are: the strain hangs on it. No square
 // root is needed when the section is incompressible. Sets `inverse` to 1/L^2, which comes with the strain's own division.
-template <Section section, class Law, class T>
+// `near`: for (L/L0)^2 within half_log.hpp's near ratios, true strains of -0.137 to 0.138; the same bits sooner.
+template <Section section, bool near = false, class Law, class T>
 [[gnu::always_inline]] inline T yarn_force_per_length(const Law& law, const T& length_squared, const T& excess,
                                                       const T& rest, const T& area, T& inverse) {
-  const HalfLog<T> strain = half_log_parts<T>(length_squared, rest * rest, excess);
+  const HalfLog<T> parts = near ? near_half_log_parts<T>(length_squared, rest * rest, excess)
+                                : half_log_parts<T>(length_squared, rest * rest, excess);
+  const auto strain = [&](const T& ratio) __attribute__((always_inline)) {
+    return near ? parts.near_value(ratio) : parts.value(ratio);
+  };
   if constexpr (section == Section::incompressible) {
-    const T both = 1.0 / (strain.denominator * length_squared);
-    inverse = both * strain.denominator;
-    const T ratio = strain.numerator * (both * length_squared);
-    return (area * inverse) * (law.stress(strain.value(ratio)) * rest);
+    const T both = 1.0 / (parts.denominator * length_squared);
+    inverse = both * parts.denominator;
+    const T ratio = parts.numerator * (both * length_squared);
+    return (area * inverse) * (law.stress(strain(ratio)) * rest);
   } else {
     const T inverse_length = inverse_root(length_squared);
     inverse = inverse_length * inverse_length;
-    const T ratio = strain.numerator / strain.denominator;
-    return law.stress(strain.value(ratio)) * area * inverse_length;
+    const T ratio = parts.numerator / parts.denominator;
+    return law.stress(strain(ratio)) * area * inverse_length;
   }
 }
 
 // A yarn that reaches `jaw` mm into a grip: strain and force of the whole length L + jaw, the force over L. `excess` is
 // that of `whole` over `rest`, L0 + jaw; `inverse` as above, of L; `inverse_length` is 1/L.
-template <Section section, class Law, class T>
+template <Section section, bool near = false, class Law, class T>
 [[gnu::always_inline]] inline T jawed_yarn_force_per_length(const Law& law, const T& whole, const T& excess,
                                                             const T& inverse_length, const T& rest, const T& area,
                                                             T& inverse) {
   T inverse_whole;
-  const T per_whole = yarn_force_per_length<section, Law, T>(law, whole * whole, excess, rest, area, inverse_whole);
+  const T per_whole =
+      yarn_force_per_length<section, near, Law, T>(law, whole * whole, excess, rest, area, inverse_whole);
   inverse = inverse_length * inverse_length;
   return per_whole * whole * inverse_length;
 }

@@ -180,18 +180,18 @@ struct YarnResponse {
   T per_length, viscous, now, coming;
 };
 
-template <Section section, class Law, class T, class P>
+template <Section section, bool near, class Law, class T, class P>
 [[gnu::always_inline]] inline YarnResponse<T> response(const RowYarns& yarns, const Law& law, const YarnStep& step,
                                                        const P& n, const Wide<T>& square, const T& rate) {
   const T area = load<T>(yarns.section, n), length_squared = narrow<T>(square);
   T inverse;
-  const T elastic = yarn_force_per_length<section>(law, length_squared, narrow<T>(square - yarns.rest * yarns.rest),
-                                                   spread<T>(yarns.rest), area, inverse);
+  const T elastic = yarn_force_per_length<section, near>(
+      law, length_squared, narrow<T>(square - yarns.rest * yarns.rest), spread<T>(yarns.rest), area, inverse);
   const T viscous = viscous_force_per_length(inverse, rate, area, spread<T>(step.viscosity / yarns.rest));
   return {elastic + viscous, viscous, length_squared, length_squared + 2.0 * step.ahead * rate};
 }
 
-template <Section section, class Law, class T, class P>
+template <Section section, bool near, class Law, class T, class P>
 [[gnu::always_inline]] inline YarnResponse<T> response(const ListedYarns& yarns, const Law& law, const YarnStep& step,
                                                        const P& n, const Wide<T>& square, const T& rate) {
   const Wide<T> exact_rest = load<Wide<T>>(yarns.length, n), exact_inverse = inverse_root(square),
@@ -202,7 +202,7 @@ template <Section section, class Law, class T, class P>
   const T coming = whole + step.ahead * rate * inverse_length;
   const T stretch = whole * inverse_rest, then = coming * inverse_rest;
   T inverse;
-  const T elastic = jawed_yarn_force_per_length<section>(law, whole, excess, inverse_length, rest, area, inverse);
+  const T elastic = jawed_yarn_force_per_length<section, near>(law, whole, excess, inverse_length, rest, area, inverse);
   const T viscous = viscous_force_per_length<T>(inverse, rate, area, step.viscosity * inverse_rest);
   return {elastic + viscous, viscous, stretch * stretch, then * then};
 }
@@ -215,7 +215,8 @@ template <Section section, class Law, class T, class P>
   return 1.0;
 }
 
-template <int components, Section section, class T, bool repeated, class Law, class Yarns, class Real, class Sums>
+template <int components, Section section, bool near, class T, bool repeated, class Law, class Yarns, class Real,
+          class Sums>
 [[gnu::always_inline]] inline void yarn_pass(const Law& law, const Yarns& yarns, const NodeArrays& nodes,
                                              const YarnStep& step, Real* const (&force)[3], int k, int turn,
                                              Sums& sums) {
@@ -228,7 +229,7 @@ template <int components, Section section, class T, bool repeated, class Law, cl
   const T rate = select(load<T>(yarns.section, n) > spread<T>(0.0), dot_product(way, s.change), spread<T>(0.0));
   const Wide<T> square = select(load<Wide<T>>(yarns.section, n) > spread<Wide<T>>(0.0), dot_product(s.way, s.way),
                                 spread<Wide<T>>(unit_of(yarns)));
-  const YarnResponse<T> r = response<section, Law, T>(yarns, law, step, n, square, rate);
+  const YarnResponse<T> r = response<section, near, Law, T>(yarns, law, step, n, square, rate);
   gather_into<repeated>(sums.power, widen<T>(r.viscous * rate), turn,
                         [](const Vector& a, const Vector& b) { return a + b; });
   auto &shortest = sums.shortest.template of<T>(), &longest = sums.longest.template of<T>();
@@ -238,7 +239,7 @@ template <int components, Section section, class T, bool repeated, class Law, cl
   for (int c = 0; c < components; ++c) store(force[c], to, r.per_length * way[c]);
 }
 
-template <int components, Section section, class Law, class Yarns, class Real>
+template <int components, Section section, bool near, class Law, class Yarns, class Real>
 void yarn_loop(const void* law_pointer, const Yarns& its_yarns, const NodeArrays& its_nodes, const YarnStep& its_step,
                Real* const (&t)[3], YarnLanes& totals) {
   constexpr int vectors = yarns_at_once<Real>;
@@ -254,7 +255,7 @@ void yarn_loop(const void* law_pointer, const Yarns& its_yarns, const NodeArrays
                          {spread<Main>(unit), load_lanes(totals.longest) * unit}};
   through_blocks<vectors, Real>(
       blocks_of(yarns), [&]<class T, bool repeated>(int k, int turn) __attribute__((always_inline)) {
-        yarn_pass<components, section, T, repeated>(law, yarns, nodes, step, force, k, turn, sums);
+        yarn_pass<components, section, near, T, repeated>(law, yarns, nodes, step, force, k, turn, sums);
       });
   store_lanes(totals.power, sums.power);
   store_lanes(totals.shortest, sums.shortest.together(lesser_vector) / unit);
@@ -452,17 +453,21 @@ CellLoops<Real> shaped_cell_loops(ShearShape shape) {
   return shape == ShearShape::started ? of(StartedShear{}) : of(PaperShear{});
 }
 
-template <class Real, Section section>
-YarnLoops<Real> shaped_yarn_loops(bool paper) {
-  if (paper)
-    return {&yarn_loop<3, section, PaperLaw, RowYarns, Real>, &yarn_loop<3, section, PaperLaw, ListedYarns, Real>};
-  return {&yarn_loop<3, section, GeneralLaw, RowYarns, Real>, &yarn_loop<3, section, GeneralLaw, ListedYarns, Real>};
+template <int components, class Real, Section section, class Law>
+YarnLoops<Real> loops_for_yarns() {
+  return {{&yarn_loop<components, section, true, Law, RowYarns, Real>,
+           &yarn_loop<components, section, false, Law, RowYarns, Real>},
+          {&yarn_loop<components, section, true, Law, ListedYarns, Real>,
+           &yarn_loop<components, section, false, Law, ListedYarns, Real>}};
 }
 
 template <class Real>
 YarnLoops<Real> yarn_loops(Section section, bool paper) {
-  return section == Section::incompressible ? shaped_yarn_loops<Real, Section::incompressible>(paper)
-                                            : shaped_yarn_loops<Real, Section::constant>(paper);
+  if (section == Section::incompressible)
+    return paper ? loops_for_yarns<3, Real, Section::incompressible, PaperLaw>()
+                 : loops_for_yarns<3, Real, Section::incompressible, GeneralLaw>();
+  return paper ? loops_for_yarns<3, Real, Section::constant, PaperLaw>()
+               : loops_for_yarns<3, Real, Section::constant, GeneralLaw>();
 }
 
 template <class Real>
@@ -477,8 +482,7 @@ CellLoops<Real> cell_loops(Formulation formulation, Thickness thickness, ShearSh
 
 YarnLoops<double> flat_yarn_loops(Section section, bool paper) {
   if (section != Section::incompressible || !paper) return {};
-  constexpr Section given = Section::incompressible;
-  return {&yarn_loop<2, given, PaperLaw, RowYarns, double>, &yarn_loop<2, given, PaperLaw, ListedYarns, double>};
+  return loops_for_yarns<2, double, Section::incompressible, PaperLaw>();
 }
 
 CellLoops<double> flat_cell_loops(Formulation formulation, Thickness thickness, ShearShape shape) {

@@ -104,10 +104,16 @@ using HistoryCellLoop = void (*)(const void* shear, const Cells& cells, double t
                                  const NodeArrays& nodes, const HistoryArrays& history, const Forces& forces,
                                  CellLanes& lanes);
 
+// `near` is right where all that it finds is near (L/L0)^2 = 1 (half_log.hpp), with the bits of `any`.
+template <class Yarns, class Real>
+struct YarnLoopsOver {
+  YarnLoop<Yarns, Real> near = nullptr;
+  YarnLoop<Yarns, Real> any = nullptr;
+};
 template <class Real>
 struct YarnLoops {
-  YarnLoop<RowYarns, Real> row = nullptr;
-  YarnLoop<ListedYarns, Real> listed = nullptr;
+  YarnLoopsOver<RowYarns, Real> row;
+  YarnLoopsOver<ListedYarns, Real> listed;
 };
 template <class Real>
 struct CellLoops {

@@ -95,6 +95,11 @@ NodeArrays node_arrays(const State& state) {
   return nodes;
 }
 
+bool all_near(const YarnLanes& lanes) {
+  return *std::min_element(std::begin(lanes.shortest), std::end(lanes.shortest)) > least_near_ratio &&
+         *std::max_element(std::begin(lanes.longest), std::end(lanes.longest)) < greatest_near_ratio;
+}
+
 // The blocks of rows first <= j < last.
 SlotBlocks blocks_of(const PerRow<int>& blocks, int first, int last, int origin) {
   return {blocks.item.data() + blocks.first[first], blocks.first[last] - blocks.first[first], origin};
@@ -146,7 +151,7 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
     return one;
   }
   [[nodiscard]] bool has_flat_loops() const override {
-    return flat.yarn[0].row != nullptr && flat.yarn[1].row != nullptr && flat.cell.row != nullptr;
+    return flat.yarn[0].row.near != nullptr && flat.yarn[1].row.near != nullptr && flat.cell.row != nullptr;
   }
   void set_flat(bool is_flat) override { loops = is_flat ? flat : in_space; }
 
@@ -171,12 +176,24 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
   }
   static bool is_outer(int band, int first_band, int last_band) { return band == first_band || band + 1 == last_band; }
 
+  // Where a yarn turns out not to be near its length at rest once more, with the loop for any.
+  template <class Yarns>
+  void yarn_forces(int family, const YarnLoopsOver<Yarns, Real>& loop, const Yarns& yarns, const NodeArrays& nodes,
+                   Real* const (&t)[3], YarnLanes& lanes) const {
+    const YarnStep step = {viscosity[family], look_ahead};
+    const YarnLanes before = lanes;
+    loop.near(yarn_law[family].pointer(), yarns, nodes, step, t, lanes);
+    if (all_near(lanes)) return;
+    lanes = before;
+    loop.any(yarn_law[family].pointer(), yarns, nodes, step, t, lanes);
+  }
+
   void warp_of_rows(const NodeArrays& nodes, int first, int last, Forces& forces, YarnLanes& lanes) {
     Real* const t[3] = {forces.along(0), forces.along(1), forces.along(2)};
     const RowYarns yarns = {blocks_of(bands.warp, first, last, forces.origin()), 1, packed.spacing[0],
                             packed.warp_section.data()};
     loops.for_nodes.clear(blocks_of(bands.warp_gaps, first, last, forces.origin()), t, Forces::along_arrays);
-    loops.yarn[0].row(yarn_law[0].pointer(), yarns, nodes, {viscosity[0], look_ahead}, t, lanes);
+    yarn_forces(0, loops.yarn[0].row, yarns, nodes, t, lanes);
   }
 
   // Weft elements and cells between each of the rows and the next. `foreign`: the one row is a neighbour's own, which
@@ -188,8 +205,8 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
                           Forces::between_arrays);
     const SlotBlocks slots = blocks_of(bands.between, first, last, forces.origin());
     Real* const t[3] = {forces.across(0), forces.across(1), forces.across(2)};
-    loops.yarn[1].row(yarn_law[1].pointer(), {slots, packed.stride, packed.spacing[1], packed.weft_section.data()},
-                      nodes, {viscosity[1], look_ahead}, t, found.yarns[1]);
+    const RowYarns yarns = {slots, packed.stride, packed.spacing[1], packed.weft_section.data()};
+    yarn_forces(1, loops.yarn[1].row, yarns, nodes, t, found.yarns[1]);
     const RowCells cells = {
         slots, packed.stride, {1.0 / packed.spacing[0], 1.0 / packed.spacing[1]}, packed.cell_area.data()};
     const RowCellForces<Real> out{{forces.p(0), forces.p(1), forces.p(2)}, {forces.q(0), forces.q(1), forces.q(2)}};
@@ -281,8 +298,7 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
                                 yarns.length.data(),
                                 yarns.jaw.data(),
                                 yarns.section.data()};
-    loops.yarn[family].listed(yarn_law[family].pointer(), listed, node_arrays(state), {viscosity[family], look_ahead},
-                              t, found.yarns[family]);
+    yarn_forces(family, loops.yarn[family].listed, listed, node_arrays(state), t, found.yarns[family]);
     sums[family].add(found.yarns[family]);
     for (int c = 0; c < loops.components; ++c) {
       double* f = state.force[c].data();

@@ -1,6 +1,7 @@
 // The fabric's internal forces against what mechanics says of them, on patches that hold every kind of element.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -130,6 +131,33 @@ TEST_P(FabricVariants, ForcesAreTheSameBitsForAnyNumberOfThreads) {
     for (std::size_t n = 0; n < one.size(); ++n)
       EXPECT_EQ(one[n], many[n]) << "node " << n << ", " << threads << " threads";
   }
+}
+
+// A yarn far from its length at rest has its band computed by another loop: in it, and far from it, others keep their bits.
+TEST_P(FabricVariants, AYarnFarFromItsLengthAtRestChangesNoOthersBits) {
+  auto fabric = patch();
+  const auto bent = [](const Vector3d& x) {
+    return Vector3d(1.01 * x[0], 0.99 * x[1] + 0.02 * x[0], std::sin(0.1 * x[0]));
+  };
+  fabric.move(bent);
+  const auto before = fabric.forces();
+  const int corner =
+      static_cast<int>(std::min_element(fabric.mesh.nodes.position.begin(), fabric.mesh.nodes.position.end(),
+                                        [](const Vec3& a, const Vec3& b) { return a[0] + a[1] < b[0] + b[1]; }) -
+                       fabric.mesh.nodes.position.begin());
+  const Vec3& place = fabric.mesh.nodes.position[corner];
+  const double reach = 3.0 * (fabric.mesh.spacing[0] + fabric.mesh.spacing[1]);
+  fabric.state.position[0][fabric.packed.packed_of_mesh[corner]] -= 0.5 * fabric.mesh.spacing[0];
+  const auto after = fabric.forces();
+  EXPECT_NE(before[corner], after[corner]);
+  int apart = 0;
+  for (std::size_t n = 0; n < after.size(); ++n) {
+    const Vec3& x = fabric.mesh.nodes.position[n];
+    if (std::hypot(x[0] - place[0], x[1] - place[1]) < reach) continue;
+    ++apart;
+    EXPECT_EQ(before[n], after[n]) << "node " << n;
+  }
+  EXPECT_GT(apart, fabric.mesh.node_count() / 4);
 }
 
 // What elements compute in single precision is off by some roundings of 6e-8; it is judged against the greatest force of

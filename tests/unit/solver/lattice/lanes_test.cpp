@@ -118,6 +118,27 @@ TEST(Lanes, YarnsHaveTheForceTheyHaveAlone) {
   }
 }
 
+// Whatever loop a yarn comes to: near its length at rest both have its bits.
+template <Section section>
+void expect_near_as_any(const PaperLaw& law, std::mt19937_64& generator) {
+  std::uniform_real_distribution<double> ratio(least_near_ratio, greatest_near_ratio);
+  const double rest = 4.92, square = rest * rest * ratio(generator), excess = square - rest * rest;
+  double near_inverse = 0.0, inverse = 0.0;
+  const double near_force = yarn_force_per_length<section, true>(law, square, excess, rest, 1.3, near_inverse);
+  EXPECT_EQ(near_force, (yarn_force_per_length<section, false>(law, square, excess, rest, 1.3, inverse))) << square;
+  EXPECT_EQ(near_inverse, inverse);
+}
+
+TEST(Lanes, YarnsNearTheirLengthAtRestHaveTheBitsOfAny) {
+  PaperLaw law;
+  ASSERT_TRUE(pack_law(yarn_laws(load_card("twintex-pw"), ModelSpec{})[0], law));
+  std::mt19937_64 generator(5);
+  for (int n = 0; n < 20000; ++n) {
+    expect_near_as_any<Section::incompressible>(law, generator);
+    expect_near_as_any<Section::constant>(law, generator);
+  }
+}
+
 template <Formulation formulation, Thickness thickness, class Shear>
 void expect_cells_alike(const Shear& shear, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> draw(-0.8, 0.8);
