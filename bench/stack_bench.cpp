@@ -1,6 +1,7 @@
 // Stacks of 1, 2, 4 and 8 plies with contact everywhere: the whole explicit step, in ply-cell-steps per second (one cell
 // of one ply, its two yarns, one node, one step), double precision. Plies alternate between 0/90 and another angle, lie
-// pressed on each other on a common rippled surface and rub. `threads` are those of the team.
+// pressed on each other on a common rippled surface and rub; by Coulomb and springs, or with tables of shear stress over
+// slip and of pressure beside. `threads` are those of the team.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -26,7 +27,7 @@ struct RippledStack {
   std::unique_ptr<PlyContact> contact;
   int cells = 0;
 
-  RippledStack(int plies, int cells_along, double yarn_angle, int threads) : team(threads) {
+  RippledStack(int plies, int cells_along, double yarn_angle, bool tables, int threads) : team(threads) {
     std::vector<Ply*> all;
     for (int k = 0; k < plies; ++k) {
       lattice.emplace_back(cells_along, k % 2 == 0 ? 0.0 : yarn_angle, ModelSpec{}, team);
@@ -38,6 +39,10 @@ struct RippledStack {
     if (plies == 1) return;
     PairLaw law;
     law.friction = 0.2;
+    if (tables) {
+      law.shear_law = {{0.0, 0.002}, {0.5, 0.004}, {2.0, 0.003}};
+      law.compaction = {{0.0, 0.0}, {0.05, 0.1}, {0.1, 0.5}};
+    }
     contact = std::make_unique<PlyContact>(
         PlyContactSetup{.plies = all,
                         .names = {},
@@ -73,8 +78,8 @@ struct RippledStack {
   }
 };
 
-void stack(benchmark::State& bench, double yarn_angle) {
-  RippledStack plies(static_cast<int>(bench.range(0)), static_cast<int>(bench.range(1)), yarn_angle,
+void stack(benchmark::State& bench, double yarn_angle, bool tables) {
+  RippledStack plies(static_cast<int>(bench.range(0)), static_cast<int>(bench.range(1)), yarn_angle, tables,
                      static_cast<int>(bench.range(2)));
   for (int n = 0; n < 10; ++n) plies.make_step();
   for ([[maybe_unused]] auto _ : bench) plies.make_step();
@@ -94,7 +99,13 @@ void sizes(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"plies", "cells", "threads"})->Unit(benchmark::kMicrosecond)->UseRealTime();
 }
 
+void few_sizes(benchmark::internal::Benchmark* bench) {
+  for (const int plies : {2, 4, 8}) bench->Args({plies, 100, 1});
+  bench->ArgNames({"plies", "cells", "threads"})->Unit(benchmark::kMicrosecond)->UseRealTime();
+}
+
 }  // namespace
 
-BENCHMARK_CAPTURE(stack, quasi_isotropic, 45.0)->Apply(sizes);
-BENCHMARK_CAPTURE(stack, cross_ply, 0.0)->Apply(sizes);
+BENCHMARK_CAPTURE(stack, quasi_isotropic, 45.0, false)->Apply(sizes);
+BENCHMARK_CAPTURE(stack, cross_ply, 0.0, false)->Apply(sizes);
+BENCHMARK_CAPTURE(stack, cross_ply_tables, 0.0, true)->Apply(few_sizes);

@@ -28,9 +28,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT WEAVEFORM_NATIVE)
   set(inner_loop_avx512 ${avx2_flags} -mavx512f -mavx512cd -mavx512bw -mavx512dq -mavx512vl
     -mtune=icelake-server -mprefer-vector-width=512 ${no_gathers})
   if(WEAVEFORM_INSTRUCTION_SETS STREQUAL widest)
-    try_run(widest compiled ${CMAKE_BINARY_DIR}/widest_set ${CMAKE_CURRENT_LIST_DIR}/widest_set.cpp
+    try_run(WEAVEFORM_WIDEST_SET compiled ${CMAKE_BINARY_DIR}/widest_set ${CMAKE_CURRENT_LIST_DIR}/widest_set.cpp
       CMAKE_FLAGS -DINCLUDE_DIRECTORIES=${PROJECT_SOURCE_DIR} CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON)
-    list(GET WEAVEFORM_SETS ${widest} WEAVEFORM_SETS)
+    list(GET WEAVEFORM_SETS ${WEAVEFORM_WIDEST_SET} WEAVEFORM_SETS)
   elseif(NOT WEAVEFORM_INSTRUCTION_SETS STREQUAL all)
     message(FATAL_ERROR "WEAVEFORM_INSTRUCTION_SETS=${WEAVEFORM_INSTRUCTION_SETS}: is all or widest")
   endif()

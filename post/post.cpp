@@ -90,6 +90,21 @@ std::vector<Isoline> isolines_of(const Resolved& model, const Fields& end) {
   return all;
 }
 
+// A specimen, or a stack of them in the same grips.
+std::optional<BiasComparison> compare_with_bias_extension(const Resolved& model, const Fields& end,
+                                                          const History& history) {
+  std::vector<const Scene*> scenes;
+  for (std::size_t k = 0; k < model.plies(); ++k) scenes.push_back(&model.of_ply(k).scene);
+  const auto specimen = find_bias_extension(scenes);
+  if (!specimen) return std::nullopt;
+  std::vector<BiasPly> plies;
+  for (std::size_t k = 0; k < model.plies(); ++k) {
+    const Resolved& ply = model.of_ply(k);
+    plies.push_back({ply.scene, ply.card, ply.mesh, model.ply.empty() ? end : fields_of_ply(end, model.mesh, k)});
+  }
+  return compare_bias_extension(*specimen, model.scene, plies, history);
+}
+
 // What forming says of a ply stands in its own folder.
 void write_forming_of_plies(const Resolved& model, const Evaluation& evaluation,
                             const std::filesystem::path& directory) {
@@ -128,9 +143,8 @@ Evaluation evaluate(ResultFolder& folder) {
   summary.tool = summarise_tools(scene, history);
   summary.measure = summarise_measures(scene, history);
   if (scene.frame) summary.frame = compare_shear_frame(model.of_ply(0).scene, cards_of(model), history);
+  summary.bias = compare_with_bias_extension(model, end, history);
   if (model.ply.empty()) {
-    if (const auto specimen = find_bias_extension(scene))
-      summary.bias = compare_bias_extension(*specimen, scene, card, mesh, end, history);
     summary.forming = evaluate_forming(scene, mesh, model.tools, end, history);
     summary.folds = find_folds(scene, mesh, end.position);
     summary.waves = waves_of(model, end, summary.forming);

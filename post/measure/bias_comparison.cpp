@@ -36,30 +36,40 @@ std::vector<std::size_t> rows_to_show(const std::vector<double>& travel) {
   return shown;
 }
 
+// Yarns at +45 or at -45 deg give the same test with the angle's sign reversed.
+double sign_of(const BiasZoneAngles& zones) {
+  return zones.simulated[0].mean < 0.0 ? -1.0 : 1.0;
+}
+
 }  // namespace
 
-BiasComparison compare_bias_extension(const BiasSpecimen& specimen, const Scene& scene, const Card& card,
-                                      const Mesh& mesh, const Fields& end, const History& history) {
+BiasComparison compare_bias_extension(const BiasSpecimen& specimen, const Scene& scene,
+                                      const std::vector<BiasPly>& plies, const History& history) {
   BiasComparison comparison;
   comparison.specimen = specimen;
-  comparison.simulated = angles_by_zone(mesh.cells, zones_of_cells(mesh, scene.blank, specimen), end.shear_angle);
-  // Yarns at +45 or at -45 deg give the same test with the angle's sign reversed.
-  const double sign = comparison.simulated[0].mean < 0.0 ? -1.0 : 1.0;
+  for (const BiasPly& ply : plies)
+    comparison.zones.push_back(
+        {angles_by_zone(ply.mesh.cells, zones_of_cells(ply.mesh, ply.scene.blank, specimen), ply.end.shear_angle), {}});
 
   const std::vector<double> travel = travel_apart(specimen, history);
   for (const std::size_t r : rows_to_show(travel)) {
     BiasRow row;
     row.travel = travel[r];
-    row.ideal_angle = sign * kinematic_shear_angle(specimen, travel[r]);
-    row.ideal_load = inextensible_bias_load(specimen, card.shear, card.thickness, scene.model.thickness, travel[r]);
+    row.ideal_angle = sign_of(comparison.zones.front()) * kinematic_shear_angle(specimen, travel[r]);
+    for (const BiasPly& ply : plies)
+      row.ideal_load +=
+          inextensible_bias_load(specimen, ply.card.shear, ply.card.thickness, ply.scene.model.thickness, travel[r]);
     for (std::size_t g = 0; g < 2; ++g)
       row.load[g] = specimen.outward[g] * history.values(specimen.grip[g] + ".force_N")[r];
     for (const MeasureSpec& measure : scene.measure)
       row.measured_angle.push_back(degree * history.values(measure.name + ".shear_angle_deg")[r]);
     comparison.row.push_back(row);
   }
-  const double angle = comparison.row.empty() ? 0.0 : comparison.row.back().ideal_angle;
-  comparison.ideal_angle = {angle, 0.5 * angle, 0.0};
+  const double angle = comparison.row.empty() ? 0.0 : kinematic_shear_angle(specimen, comparison.row.back().travel);
+  for (BiasZoneAngles& zones : comparison.zones) {
+    const double its = sign_of(zones) * angle;
+    zones.ideal = {its, 0.5 * its, 0.0};
+  }
   return comparison;
 }
 

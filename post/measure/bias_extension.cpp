@@ -74,6 +74,13 @@ std::optional<BiasSpecimen> find_bias_extension(const Scene& scene) {
   return specimen;
 }
 
+std::optional<BiasSpecimen> find_bias_extension(const std::vector<const Scene*>& plies) {
+  const auto first = find_bias_extension(*plies.front());
+  const bool all_alike =
+      std::all_of(plies.begin(), plies.end(), [&](const Scene* ply) { return find_bias_extension(*ply) == first; });
+  return all_alike ? first : std::nullopt;
+}
+
 double inextensible_bias_load(const BiasSpecimen& specimen, const ShearCard& shear, double thickness, Thickness rule,
                               double travel) {
   const double angle = kinematic_shear_angle(specimen, travel);

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fabric/card/card.hpp"
 #include "fabric/trellis/bias_rectangle.hpp"
@@ -21,11 +22,14 @@ struct BiasSpecimen {
   std::array<double, 2> outward = {1.0, 1.0};  // +1 when a grip's direction points out of the specimen, else -1
   [[nodiscard]] BiasRectangle rectangle() const { return {width, length}; }
   [[nodiscard]] double free_length() const { return length - width; }  // mm; D
+  bool operator==(const BiasSpecimen&) const = default;
 };
 
 // The specimen of a scene: a rectangle with yarns at 45 deg, held by two whole opposite edges that are longer apart
 // than they are wide and move along the line that joins them. Nothing when the scene is another test.
 [[nodiscard]] std::optional<BiasSpecimen> find_bias_extension(const Scene& scene);
+// The same of a stack: each ply's scene is that of one specimen, of the same size and held by the same grips.
+[[nodiscard]] std::optional<BiasSpecimen> find_bias_extension(const std::vector<const Scene*>& plies);
 
 // trellis.hpp for a specimen: flat areas (mm^2) of the zones, and the angle of Eq. 14 at the grips' travel apart (not a
 // number from 90 deg on).

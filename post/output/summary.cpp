@@ -39,14 +39,14 @@ Json motion_json(const GripSummary& motion) {
       {"displacement_mm", motion.displacement}, {"force_N", motion.force}, {"largest_force_N", motion.largest_force}};
 }
 
-Json zones_json(const BiasComparison& bias) {
+Json zones_json(const BiasZoneAngles& angles) {
   Json zones = Json::object();
   for (std::size_t z = 0; z < zone_name.size(); ++z)
-    zones[zone_name[z]] = {{"cells", bias.simulated[z].cells},
-                           {"area_mm2", bias.simulated[z].area},
-                           {"shear_angle_deg", bias.simulated[z].mean * degrees_per_radian},
-                           {"sd", bias.simulated[z].sd * degrees_per_radian},
-                           {"ideal_deg", bias.ideal_angle[z] * degrees_per_radian}};
+    zones[zone_name[z]] = {{"cells", angles.simulated[z].cells},
+                           {"area_mm2", angles.simulated[z].area},
+                           {"shear_angle_deg", angles.simulated[z].mean * degrees_per_radian},
+                           {"sd", angles.simulated[z].sd * degrees_per_radian},
+                           {"ideal_deg", angles.ideal[z] * degrees_per_radian}};
   return zones;
 }
 
@@ -65,13 +65,15 @@ Json travel_json(const BiasComparison& bias, const std::vector<MeasureSummary>& 
   return rows;
 }
 
-void add_bias(Json& json, const BiasComparison& bias, const std::vector<MeasureSummary>& measure) {
+// Zones of plies stand with each ply.
+void add_bias(Json& json, const BiasComparison& bias, const std::vector<MeasureSummary>& measure,
+              std::size_t of_plies) {
   const ZoneAreas area = zone_areas(bias.specimen);
   json["bias_extension"] = {{"width_mm", bias.specimen.width},
                             {"length_mm", bias.specimen.length},
                             {"axis", bias.specimen.axis == 0 ? "x" : "y"},
                             {"zone_area_mm2", {{"A", area.a}, {"B", area.b}, {"C", area.c}}}};
-  json["zones"] = zones_json(bias);
+  if (of_plies == 0) json["zones"] = zones_json(bias.zones.front());
   if (bias.row.empty()) return;
   const BiasRow& end = bias.row.back();
   json["ideal"] = {{"travel_mm", end.travel},
@@ -126,7 +128,10 @@ Json ply_json(const PlySummary& ply) {
 
 void add_plies(const Summary& summary, Json& json) {
   if (summary.ply.front().forming) json["forming"] = forming_loads_json(*summary.ply.front().forming);
-  for (const PlySummary& ply : summary.ply) json["plies"][ply.name] = ply_json(ply);
+  for (std::size_t k = 0; k < summary.ply.size(); ++k) {
+    Json& ply = json["plies"][summary.ply[k].name] = ply_json(summary.ply[k]);
+    if (summary.bias) ply["zones"] = zones_json(summary.bias->zones[k]);
+  }
   json["pairs"] = Json::object();
   for (const PairStatistics& pair : summary.statistics.pairs) {
     Json& entry = json["pairs"][pair.lower + "/" + pair.upper];
@@ -183,7 +188,7 @@ Json summary_json(const Summary& summary) {
       for (std::size_t c = 0; c < 3; ++c) entry[component[c] + 1] = (*tool.whole_force)[c];
     json["tools"][tool.motion.name] = entry;
   }
-  if (summary.bias) add_bias(json, *summary.bias, summary.measure);
+  if (summary.bias) add_bias(json, *summary.bias, summary.measure, summary.ply.size());
   if (summary.frame) json["frame"] = frame_json(*summary.frame);
   if (summary.forming) json["forming"] = forming_json(*summary.forming);
   if (summary.folds) json["folds"] = folds_json(*summary.folds);

@@ -65,7 +65,7 @@ struct Summary {
   std::vector<GripSummary> grip;
   std::vector<ToolSummary> tool;
   std::vector<MeasureSummary> measure;
-  std::optional<BiasComparison> bias;    // when the scene is a bias extension
+  std::optional<BiasComparison> bias;    // when the scene is a bias extension, of one ply or a stack
   std::optional<FrameComparison> frame;  // when the scene has a shear frame
   std::optional<Forming> forming;        // when the scene has tools
   std::optional<Folds> folds;            // when it has none
@@ -82,7 +82,7 @@ struct Summary {
 [[nodiscard]] std::vector<MeasureSummary> summarise_measures(const Scene& scene, const History& history);
 
 // summary.json: every statistic under its name; "folded_cells" and "folded_cells_at_end" among them; "measures",
-// "grips" and "tools" by name; for a bias extension "bias_extension", "zones", "ideal" and "travel"; for a
+// "grips" and "tools" by name; for a bias extension "bias_extension", "zones" (of a stack in each ply), "ideal" and "travel"; for a
 // shear frame "frame"; for a scene with tools "forming", for one without "folds"; "wrinkles" (post/forming/waves.hpp); of
 // a stack these in "plies" by name, and "pairs" by "LOWER/UPPER", what plies did to each other; "taken", what the program
 // took where the scene left that to it: "key", "value", "why", where they are "missed" (what was wanted and is not

@@ -149,17 +149,20 @@ std::string pair_lines(const Summary& summary) {
   return text;
 }
 
-std::string zone_lines(const BiasComparison& bias) {
+std::string zone_lines(const BiasComparison& bias, const std::vector<PlySummary>& plies) {
   std::string text = fmt::format(
       "\nbias extension, W {:g} x L {:g} mm; ideal: inextensible yarns, three zones (Eq. 14); cells on a zone line "
       "left "
       "out\n{:<16}{:>10}{:>10}{:>10}{:>10}   shear angle at the end, deg\n",
       bias.specimen.width, bias.specimen.length, "zone", "cells", "mean", "sd", "ideal");
-  for (std::size_t z = 0; z < zone_title.size(); ++z)
-    text += fmt::format("{:<16}{:>10}{}{}{}\n", zone_title[z], bias.simulated[z].cells,
-                        aligned(bias.simulated[z].mean * degrees_per_radian),
-                        aligned(bias.simulated[z].sd * degrees_per_radian),
-                        aligned(bias.ideal_angle[z] * degrees_per_radian));
+  for (std::size_t k = 0; k < bias.zones.size(); ++k) {
+    const BiasZoneAngles& zones = bias.zones[k];
+    for (std::size_t z = 0; z < zone_title.size(); ++z)
+      text += fmt::format(
+          "{:<16}{:>10}{}{}{}{}\n", zone_title[z], zones.simulated[z].cells,
+          aligned(zones.simulated[z].mean * degrees_per_radian), aligned(zones.simulated[z].sd * degrees_per_radian),
+          aligned(zones.ideal[z] * degrees_per_radian), plies.empty() || z > 0 ? "" : "   " + plies[k].name);
+  }
   return text;
 }
 
@@ -205,7 +208,7 @@ std::string summary_table(const Summary& summary) {
   if (summary.frame) text += frame_lines(*summary.frame);
   if (summary.forming) text += forming_table(*summary.forming);
   text += waves_table(summary.waves);
-  if (summary.bias) text += zone_lines(*summary.bias) + travel_lines(*summary.bias, summary.measure);
+  if (summary.bias) text += zone_lines(*summary.bias, summary.ply) + travel_lines(*summary.bias, summary.measure);
   if (!summary.warning.empty()) text += "\n";
   for (const std::string& line : summary.warning) text += "warning " + line + "\n";
   return text;

@@ -181,20 +181,29 @@ void PlyContact::Parts::look(double inverse_time) {
     std::vector<int> awake;
     for (const int p : its.pass)
       if (pass(p).awake()) awake.push_back(p);
+    PlyFace& own = face[its.ply];
     BlockFrame frame;
+    PlyPull pull;
     for (int b = its.first_block; b < its.end_block; ++b) {
-      bool with_frame = false;
-      face[its.ply].begin_levers(b);
+      bool with_frame = false, pulled = false;
       for (const int p : awake) {
         if (!pass(p).is_near(b)) {
           pass(p).pass_over(b);
           continue;
         }
-        if (!with_frame) face[its.ply].frame(b, frame);
+        if (!with_frame) {
+          own.frame(b, frame);
+          pull = {};
+        }
         with_frame = true;
-        pass(p).look(b, frame, inverse_time, its.back[p]);
+        pulled = pass(p).look(b, frame, inverse_time, pull, its.back[p]) || pulled;
       }
-      face[its.ply].end_levers(b);
+      if (!pulled) {
+        own.take_nothing(b);
+        continue;
+      }
+      own.take(b, frame, pull);
+      if (swollen) loops_of_plies().add(own.blocks()[b].count, pull.load, own.load().data() + own.blocks()[b].first);
     }
   });
 }

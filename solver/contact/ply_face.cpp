@@ -96,7 +96,6 @@ void PlyFace::find_irregular() {
   first_irregular_.push_back(static_cast<int>(irregular_.size()));
   irregular_lever_.assign(irregular_.size(), {});
   has_levers_.assign(blocks_.size(), 0);
-  added_.assign(blocks_.size(), 0);
   for (auto& component : lever_) component.assign(static_cast<std::size_t>(nodes()) + 2 * stride, 0.0);
 }
 
@@ -125,54 +124,45 @@ void PlyFace::frame(int number, BlockFrame& frame) const {
       frame.x[c] = frame.copy[c];
     }
   const bool regular = first >= stride && first + block.lanes + stride <= nodes();
-  for (int c = 0; c < 3; ++c) {
-    const double* const at = x[c].data() + first;
-    if (regular) {
-      loops_of_plies().way(block.count, at - 1, at + 1, frame.a[c]);
-      loops_of_plies().way(block.count, at - stride, at + stride, frame.b[c]);
-    }
-    for (int i = block.count; i < block.lanes; ++i) frame.a[c][i] = frame.b[c][i] = 0.0;
-  }
+  PlyNormals& normals = frame.normals;
+  const double* const at[3] = {x[0].data() + first, x[1].data() + first, x[2].data() + first};
+  if (regular)
+    loops_of_plies().ways(block.lanes, stride, at, normals);
+  else
+    for (int c = 0; c < 3; ++c)
+      for (int i = block.count; i < block.lanes; ++i) normals.a[c][i] = normals.b[c][i] = 0.0;
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k) {
     const auto [a, b] = between_neighbours(irregular_[k]);
     for (int c = 0; c < 3; ++c) {
-      frame.a[c][irregular_[k] - first] = a[c];
-      frame.b[c][irregular_[k] - first] = b[c];
+      normals.a[c][irregular_[k] - first] = a[c];
+      normals.b[c][irregular_[k] - first] = b[c];
     }
   }
+  loops_of_plies().turn(block.lanes, normals);
 }
 
-void PlyFace::clear_levers(int number) {
+void PlyFace::take_nothing(int number) {
+  if (has_levers_[number] == 0) return;
   const PlyBlock& block = blocks_[number];
   const int stride = ply_.packed().stride;
   for (auto& component : lever_) std::fill_n(component.begin() + stride + block.first, block.count, 0.0);
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k) irregular_lever_[k].fill(0.0);
-}
-
-void PlyFace::end_levers(int number) {
-  if (has_levers_[number] == 0 || added_[number] != 0) return;
-  clear_levers(number);
   has_levers_[number] = 0;
 }
 
-// The first of a step that has the whole block takes the place of what was there.
-void PlyFace::add_levers(int number, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]) {
+void PlyFace::take(int number, const BlockFrame& frame, const PlyPull& pull) {
   const PlyBlock& block = blocks_[number];
   const int stride = ply_.packed().stride;
-  const bool begins = added_[number] == 0, whole = first == 0 && end == block.count;
-  if (begins && !whole && has_levers_[number] != 0) clear_levers(number);
-  has_levers_[number] = added_[number] = 1;
-  for (std::size_t c = 0; c < 6; ++c) {
-    double* const into = lever_[c].data() + stride + block.first + first;
-    if (begins && whole)
-      std::copy_n(lever[c], block.count, into);
-    else
-      loops_of_plies().add(end - first, lever[c] + first, into);
-  }
+  auto& f = state().force;
+  double* const force[3] = {f[0].data() + block.first, f[1].data() + block.first, f[2].data() + block.first};
+  double* lever[6];
+  for (std::size_t c = 0; c < 6; ++c) lever[c] = lever_[c].data() + stride + block.first;
+  loops_of_plies().take(block.count, frame.normals, pull, force, lever);
+  has_levers_[number] = 1;
   for (int k = first_irregular_[number]; k < first_irregular_[number + 1]; ++k)
     for (std::size_t c = 0; c < 6; ++c) {
       double& there = lever_[c][stride + irregular_[k]];
-      irregular_lever_[k][c] = (begins && whole ? 0.0 : irregular_lever_[k][c]) + there;
+      irregular_lever_[k][c] = there;
       there = 0.0;
     }
 }
@@ -183,9 +173,10 @@ bool PlyFace::has_levers() const {
 
 void PlyFace::take_levers(int first, int end) {
   const int stride = ply_.packed().stride;
-  for (std::size_t c = 0; c < 3; ++c)
-    loops_of_plies().lever(end - first, stride, lever_[c].data() + stride + first,
-                           lever_[c + 3].data() + stride + first, state().force[c].data() + first);
+  const double* lever[6];
+  for (std::size_t c = 0; c < 6; ++c) lever[c] = lever_[c].data() + stride + first;
+  auto& f = state().force;
+  loops_of_plies().lever(end - first, stride, lever, {f[0].data() + first, f[1].data() + first, f[2].data() + first});
 }
 
 void PlyFace::take_irregular_levers() {

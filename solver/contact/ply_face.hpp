@@ -22,10 +22,10 @@ struct PlyBlock {
   int at = 0, lanes = 0;
 };
 
-// Places of the nodes of a block, and what lies between their neighbours (ply_kernel.hpp); lanes beyond them 0.
+// Places and normals of the nodes of a block.
 struct BlockFrame {
   const double* x[3];  // mm
-  alignas(64) double a[3][ply_nodes_at_a_time], b[3][ply_nodes_at_a_time];
+  PlyNormals normals;
   alignas(64) double copy[3][ply_nodes_at_a_time];  // of places, where the state's own array ends too early
 };
 
@@ -68,11 +68,11 @@ public:
   // mm/s; greatest speed of the block's nodes.
   [[nodiscard]] double speed(int block) const;
 
-  // Couples on the neighbours of nodes, G_a and G_b (ply_kernel.hpp): a block's are begun, added to by its passes and ended,
-  // and when those of all blocks are there, a part of the nodes takes its forces from them, and the whole ply the rest.
-  void begin_levers(int block) { added_[block] = 0; }
-  void add_levers(int block, int first, int end, const double (&lever)[6][ply_nodes_at_a_time]);
-  void end_levers(int block);  // those of the step before are gone where nothing was added
+  // What a block takes of all its passes: forces on its nodes at once, those on their neighbours (G_a and G_b,
+  // ply_kernel.hpp) when those of all blocks are there: a part of the nodes then takes its forces from them, and the
+  // whole ply the rest.
+  void take(int block, const BlockFrame& frame, const PlyPull& pull);
+  void take_nothing(int block);  // levers of the step before are gone
   [[nodiscard]] bool has_levers() const;
   void take_levers(int first, int end);
   void take_irregular_levers();
@@ -92,8 +92,7 @@ private:
   std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
   std::array<Doubles, 6> lever_;                  // N; a row before and behind the packed nodes', 0 at irregular nodes
   std::vector<std::array<double, 6>> irregular_lever_;  // N
-  std::vector<char> has_levers_, added_;                // per block; above 0 somewhere, and in this step
-  void clear_levers(int block);
+  std::vector<char> has_levers_;                        // per block; above 0 somewhere
   std::vector<PlyBlock> blocks_;
   std::vector<int> chunk_at_;  // lanes at which all chunks but the first begin
   std::vector<int> lane_of_, node_of_;

@@ -53,7 +53,7 @@ double PlyPassState::search(std::vector<double>* depths) {
       if (depths != nullptr) (*depths)[node] = depth;
     }
     count_off(static_cast<int>(b));
-    least_gap = std::min({least_gap, clearance(static_cast<int>(b), deepest), touch_ - deepest});
+    least_gap = std::min({least_gap, clearance(static_cast<int>(b), deepest, 0.0), touch_ - deepest});
   }
   return least_gap;
 }

@@ -9,8 +9,8 @@
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
-// 1/sqrt(x) to 1e-10, x > 0: half the exponent with its sign turned, and Newton's y (3 - x y^2)/2 three times. A loop
-// of roots and divisions would wait for those alone. Where more is needed one more step makes it so.
+// 1/sqrt(x) to 1e-10, x > 0: half the exponent with its sign turned, and Newton's y (3 - x y^2)/2 three times. Roots and
+// divisions have a unit of their own, which a loop would wait for that left all of them to it.
 WEAVEFORM_INLINE double inverse_root(double x) {
   const auto bits = __builtin_bit_cast(unsigned long, x);
   double y = __builtin_bit_cast(double, 0x5fe6eb50c7b537a9UL - (bits >> 1U));
@@ -20,11 +20,6 @@ WEAVEFORM_INLINE double inverse_root(double x) {
   y *= 1.5 - half * y * y;
   return y;
 }
-WEAVEFORM_INLINE double inverse_of(double x) {
-  const double y = inverse_root(x);
-  return y * y;
-}
-
 // Keep inverses finite, far below anything that matters.
 constexpr double least = 1e-30, least_area = 1e-12, least_square = 1e-60;  // mm^4, mm^2, mm^2 or N^2
 
@@ -42,24 +37,16 @@ WEAVEFORM_INLINE double value_at(const EvenTable& table, double x) {
 struct Common {
   double inverse_softening, inverse_time;
   double moved;  // 1, or 0 at a first look
-  double twist;  // 1, or 0 on triangles
 };
-
-WEAVEFORM_INLINE void normal_of(const PlyPassNodes& nodes, int i, double (&n)[3]) {
-  const double a[3] = {nodes.a[0][i], nodes.a[1][i], nodes.a[2][i]},
-               b[3] = {nodes.b[0][i], nodes.b[1][i], nodes.b[2][i]};
-  n[0] = a[1] * b[2] - a[2] * b[1];
-  n[1] = a[2] * b[0] - a[0] * b[2];
-  n[2] = a[0] * b[1] - a[1] * b[0];
-}
 
 // r = dxi S_xi + deta S_eta + s n, by Cramer's rule.
 // How far the foot is out of its cell, -1 where nothing acts.
 WEAVEFORM_INLINE double find_foot(double twist, const PlyPassNodes& nodes, PlyFeet& feet, int i) {
   const long corner = nodes.corner[i];
   const double xi = nodes.place[0][i], eta = nodes.place[1][i];
-  double e1[3], e2[3], e3[3], n[3], from[3], r[3], s1[3], s2[3];
-  normal_of(nodes, i, n);
+  const double n[3] = {nodes.normals->n[0][i], nodes.normals->n[1][i], nodes.normals->n[2][i]};
+  const double size = nodes.normals->size[i];
+  double e1[3], e2[3], e3[3], from[3], r[3], s1[3], s2[3];
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
     const double* const origin = nodes.surface[c];
@@ -76,14 +63,14 @@ WEAVEFORM_INLINE double find_foot(double twist, const PlyPassNodes& nodes, PlyFe
   const double a[3] = {s2[1] * n[2] - s2[2] * n[1], s2[2] * n[0] - s2[0] * n[2], s2[0] * n[1] - s2[1] * n[0]};
   const double b[3] = {n[1] * s1[2] - n[2] * s1[1], n[2] * s1[0] - n[0] * s1[2], n[0] * s1[1] - n[1] * s1[0]};
   const double m[3] = {s1[1] * s2[2] - s1[2] * s2[1], s1[2] * s2[0] - s1[0] * s2[2], s1[0] * s2[1] - s1[1] * s2[0]};
-  const double all = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
-  const double squares = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  const double all = s1[0] * a[0] + s1[1] * a[1] + s1[2] * a[2];  // m.n
+  const double squares = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (size * size);
   const double determinant = nodes.stiffness[i] > 0.0 ? all : 0.0;
   const double held = determinant > least ? determinant : 1.0;
   // cos^2 from 1/4 to 1/2
-  const double facing = 4.0 * determinant * determinant * inverse_of(squares + least) - 1.0;
+  const double facing = 4.0 * determinant * determinant / (squares + least) - 1.0;
   const double faced = facing > 0.0 ? facing : 0.0;
-  const double inverse = determinant > least ? inverse_of(held) : 0.0;
+  const double inverse = determinant > least ? 1.0 / held : 0.0;
   const double dxi = (r[0] * a[0] + r[1] * a[1] + r[2] * a[2]) * inverse;
   const double deta = (r[0] * b[0] + r[1] * b[1] + r[2] * b[2]) * inverse;
   const double xi_now = xi + dxi, eta_now = eta + deta;
@@ -117,7 +104,7 @@ struct Normal {
   double force, elastic, stored;  // N, N, mJ
 };
 
-template <bool with_tables>
+template <bool measured>
 WEAVEFORM_INLINE Normal normal_force(const PlyPassLaw& law, const Common& common, double depth, double sinking,
                                      double k, double area) {
   const double pressed = depth > 0.0 ? depth : 0.0;
@@ -127,11 +114,9 @@ WEAVEFORM_INLINE Normal normal_force(const PlyPassLaw& law, const Common& common
   out.elastic = k * engaged * (pressed - 0.5 * soft);
   // the integral: k p^3/(6 d) to the depth d, k ((p - d/2)^2/2 + d^2/24) beyond
   out.stored = k * (engaged * soft * soft * (1.0 / 6.0) + 0.5 * beyond * (soft + beyond));
-  if constexpr (with_tables) {
-    if (law.pressure.intervals > 0) {
-      out.elastic = area * value_at(law.pressure, pressed);
-      out.stored = area * value_at(law.pressure_energy, pressed);
-    }
+  if constexpr (measured) {
+    out.elastic = area * value_at(law.pressure, pressed);
+    out.stored = area * value_at(law.pressure_energy, pressed);
   }
   const double total = out.elastic + law.damping_time * k * engaged * common.inverse_time * sinking;
   out.force = total > 0.0 ? total : 0.0;
@@ -156,14 +141,12 @@ WEAVEFORM_INLINE void measure_reach(const PlyPassLaw& law, double twist, const P
   feet.rise2[i] = law.half_other * (e2 + xi * e3);
 }
 
-template <bool with_tables, bool swollen>
+template <PlyLawKind kind>
 WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common, const PlyPassNodes& nodes,
                                     PlyFeet& feet, PlyPassForces& forces, int i) {
-  const double inverse_distance = inverse_root(feet.square[i] + least_square);
-  const double guess = feet.square[i] * inverse_distance;
-  const double distance = guess + 0.5 * (feet.square[i] - guess * guess) * inverse_distance;
+  const double distance = std::sqrt(feet.square[i]);
   double reach = law.reach;
-  if constexpr (swollen) reach = feet.reach[i];
+  if constexpr (kind.swollen) reach = feet.reach[i];
   const double depth = reach - (law.side * feet.along[i] >= 0.0 ? distance : -distance);
   // nobody gets there in one step: it is another side of a fold that the line met
   const double given = nodes.stiffness[i], there = depth < 2.0 * reach ? feet.meets[i] : 0.0;
@@ -171,7 +154,7 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   const double k = meets * given, area = meets * law.share * nodes.area[i];
   const double kt = law.tangential * k, ct = law.damping_time * kt * common.inverse_time;
   const double sinking = depth - nodes.depth[i];  // over the step just made
-  const Normal normal = normal_force<with_tables>(law, common, depth, sinking, k, area);
+  const Normal normal = normal_force<kind.measured>(law, common, depth, sinking, k, area);
 
   // t from the anchor to the foot, u over the step just made
   const double xi = nodes.place[0][i], eta = nodes.place[1][i], dxi = feet.dxi[i], deta = feet.deta[i];
@@ -192,19 +175,17 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
   const double t_size = t_square * inverse_root(t_square + least_square);
   const double s_inverse = inverse_root(s_square + least_square), s_size = s_square * s_inverse;
   double limit = law.friction * normal.force, holds = depth > 0.0 ? 1.0 : 0.0;
-  if constexpr (with_tables) {
-    if (law.shear.intervals > 0) {
-      holds = depth > law.adhesion ? 1.0 : 0.0;
-      limit += holds * area * value_at(law.shear, nodes.path[i] + t_size);
-    }
+  if constexpr (kind.sheared) {
+    holds = depth > law.adhesion ? 1.0 : 0.0;
+    limit += holds * area * value_at(law.shear, nodes.path[i] + t_size);
   }
   const double held = s_size > limit ? limit * s_inverse : 1.0;
   const double cut = k > 0.0 ? held : 0.0;  // without a foot nothing is stretched
   feet.normal[i] = law.side * normal.force;
   feet.q1[i] = -cut * q1;
   feet.q2[i] = -cut * q2;
-  if constexpr (swollen) {
-    const double area_square = g11 * g22 - g12 * g12, slope = normal.force * inverse_of(area_square + least);
+  if constexpr (kind.swollen) {
+    const double area_square = g11 * g22 - g12 * g12, slope = normal.force / (area_square + least);
     feet.q1[i] -= slope * (g22 * feet.rise1[i] - g12 * feet.rise2[i]);
     feet.q2[i] -= slope * (g11 * feet.rise2[i] - g12 * feet.rise1[i]);
   }
@@ -231,66 +212,50 @@ WEAVEFORM_INLINE Contribution press(const PlyPassLaw& law, const Common& common,
       counted * 0.5 * (kt * (1.0 - cut) * ((1.0 + cut) * t_square - t_u) - (u_drag - cut * ct * u_square));
   out.damping_work = common.moved * meets * 0.5 * (drag0 + drag_now) * sinking;
   out.depth = k > 0.0 ? depth : -1e300;
-  out.pressure = normal.force * inverse_of(area + least_area);
+  out.pressure = normal.force / (area + least_area);
   return out;
 }
 
-// F, what the corners take of it, and the couple on the node's neighbours, G_a and G_b.
-WEAVEFORM_INLINE void share_out(const Common& common, const PlyPassNodes& nodes, const PlyFeet& feet,
-                                PlyPassForces& forces, int i) {
+// F, what the corners take of it, and the couple on the node's neighbours.
+template <bool swollen>
+WEAVEFORM_INLINE void share_out(const PlyPassLaw& law, double twist, const PlyPassNodes& nodes, const PlyFeet& feet,
+                                PlyPull& pull, PlyPassForces& forces, int i) {
   const double xi = nodes.place[0][i], eta = nodes.place[1][i], q1 = feet.q1[i], q2 = feet.q2[i];
-  const double n3 = common.twist * xi * eta, n1 = xi - n3, n2 = eta - n3, n0 = 1.0 - xi - eta + n3;
-  const double a[3] = {nodes.a[0][i], nodes.a[1][i], nodes.a[2][i]},
-               b[3] = {nodes.b[0][i], nodes.b[1][i], nodes.b[2][i]};
+  const double n3 = twist * xi * eta;
+  const double n[3] = {nodes.normals->n[0][i], nodes.normals->n[1][i], nodes.normals->n[2][i]};
   const double r[3] = {feet.r[0][i], feet.r[1][i], feet.r[2][i]};
   const double s1[3] = {feet.s1[0][i], feet.s1[1][i], feet.s1[2][i]},
                s2[3] = {feet.s2[0][i], feet.s2[1][i], feet.s2[2][i]};
-  double n[3], t[3], f[3];
-  normal_of(nodes, i, n);
   const double m[3] = {s1[1] * s2[2] - s1[2] * s2[1], s1[2] * s2[0] - s1[0] * s2[2], s1[0] * s2[1] - s1[1] * s2[0]};
-  const double m_n = m[0] * n[0] + m[1] * n[1] + m[2] * n[2], n_n = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-  const double a_b = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
-  double t_n = 0.0;
+  const double m_n = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+  double t[3], f[3], t_n = 0.0;
 #pragma GCC unroll 3
   for (int d = 0; d < 3; ++d) {
     t[d] = q1 * s1[d] + q2 * s2[d];
     t_n += t[d] * n[d];
   }
-  const double inverse_n = inverse_root(n_n + least), inverse_n_n = inverse_n * inverse_n;
   const double met = m_n > least ? m_n : 1.0;  // where there is no foot there is no force
-  const double along = (feet.normal[i] * n_n * inverse_n - t_n) * inverse_of(met);
+  const double along = (feet.normal[i] * nodes.normals->size[i] - t_n) / met;
 #pragma GCC unroll 3
   for (int d = 0; d < 3; ++d) {
     f[d] = along * m[d] + t[d];
-    forces.force[d][i] = f[d];
-    forces.back[0][d][i] = -n0 * f[d];
-    forces.back[1][d][i] = -n1 * f[d];
-    forces.back[2][d][i] = -n2 * f[d];
-    forces.back[3][d][i] = -n3 * f[d];
+    pull.force[d][i] += f[d];
+    forces.force[4 * i + d] = f[d];
   }
-  // a x G_a + b x G_b = -r x F: what is across n by f = (-r x F) x n/n^2, the rest, of rounding's size, by turning both
-  const double c[3] = {r[2] * f[1] - r[1] * f[2], r[0] * f[2] - r[2] * f[0], r[1] * f[0] - r[0] * f[1]};
-  const double g[3] = {(c[1] * n[2] - c[2] * n[1]) * inverse_n_n, (c[2] * n[0] - c[0] * n[2]) * inverse_n_n,
-                       (c[0] * n[1] - c[1] * n[0]) * inverse_n_n};
-  const double w = (c[0] * n[0] + c[1] * n[1] + c[2] * n[2]) * inverse_n_n * inverse_of(a_b + least);
-  forces.lever[0][i] = b[1] * g[2] - b[2] * g[1] + w * (n[1] * a[2] - n[2] * a[1]);
-  forces.lever[1][i] = b[2] * g[0] - b[0] * g[2] + w * (n[2] * a[0] - n[0] * a[2]);
-  forces.lever[2][i] = b[0] * g[1] - b[1] * g[0] + w * (n[0] * a[1] - n[1] * a[0]);
-  forces.lever[3][i] = g[1] * a[2] - g[2] * a[1] + w * (n[1] * b[2] - n[2] * b[1]);
-  forces.lever[4][i] = g[2] * a[0] - g[0] * a[2] + w * (n[2] * b[0] - n[0] * b[2]);
-  forces.lever[5][i] = g[0] * a[1] - g[1] * a[0] + w * (n[0] * b[1] - n[1] * b[0]);
-}
-
-// dE/dw of the node and of its foot's corners.
-WEAVEFORM_INLINE void share_load(const PlyPassLaw& law, double twist, const PlyPassNodes& nodes, const PlyFeet& feet,
-                                 PlyPassForces& forces, int i) {
-  const double xi = nodes.place[0][i], eta = nodes.place[1][i];
-  const double n3 = twist * xi * eta, normal = law.side * feet.normal[i], other = normal * law.half_other;
-  forces.load[0][i] = normal * law.half_own;
-  forces.load[1][i] = other * (1.0 - xi - eta + n3);
-  forces.load[2][i] = other * (xi - n3);
-  forces.load[3][i] = other * (eta - n3);
-  forces.load[4][i] = other * n3;
+  pull.couple[0][i] += r[2] * f[1] - r[1] * f[2];
+  pull.couple[1][i] += r[0] * f[2] - r[2] * f[0];
+  pull.couple[2][i] += r[1] * f[0] - r[0] * f[1];
+  double on_other = 0.0;
+  if constexpr (swollen) {
+    const double normal = law.side * feet.normal[i];
+    pull.load[i] += normal * law.half_own;
+    on_other = -normal * law.half_other;
+  }
+  forces.force[4 * i + 3] = on_other;
+  forces.weight[0][i] = 1.0 - xi - eta + n3;
+  forces.weight[1][i] = xi - n3;
+  forces.weight[2][i] = eta - n3;
+  forces.weight[3][i] = n3;
 }
 
 double find_feet(const PlyPassNodes& nodes_given, PlyFeet& feet, int first, int end) {
@@ -305,25 +270,24 @@ double find_feet(const PlyPassNodes& nodes_given, PlyFeet& feet, int first, int 
   return outside;
 }
 
-template <bool with_tables, bool swollen>
+template <PlyLawKind kind>
 PlyPassSums press_all(const PlyPassLaw& law_given, double inverse_time, const PlyPassNodes& nodes_given, PlyFeet& feet,
                       PlyPassForces& forces, int first, int end) {
   const PlyPassLaw law = law_given;
   const PlyPassNodes nodes = nodes_given;
-  const Common common = {.inverse_softening = 1.0 / law.softening,
-                         .inverse_time = inverse_time,
-                         .moved = inverse_time > 0.0 ? 1.0 : 0.0,
-                         .twist = nodes.beside[2] != 0 ? 1.0 : 0.0};
-  if constexpr (swollen) {
+  const Common common = {
+      .inverse_softening = 1.0 / law.softening, .inverse_time = inverse_time, .moved = inverse_time > 0.0 ? 1.0 : 0.0};
+  if constexpr (kind.swollen) {
+    const double twist = nodes.beside[2] != 0 ? 1.0 : 0.0;
 #pragma omp simd
-    for (int i = first; i < end; ++i) measure_reach(law, common.twist, nodes, feet, i);
+    for (int i = first; i < end; ++i) measure_reach(law, twist, nodes, feet, i);
   }
   double area = 0.0, normal = 0.0, friction = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
   double depth = -1e300, pressure = 0.0;
 #pragma omp simd reduction(+ : area, normal, friction, energy, friction_work, damping_work) \
     reduction(max : depth, pressure)
   for (int i = first; i < end; ++i) {
-    const Contribution one = press<with_tables, swollen>(law, common, nodes, feet, forces, i);
+    const Contribution one = press<kind>(law, common, nodes, feet, forces, i);
     area += one.area;
     normal += one.normal;
     friction += one.friction;
@@ -332,12 +296,6 @@ PlyPassSums press_all(const PlyPassLaw& law_given, double inverse_time, const Pl
     damping_work += one.damping_work;
     depth = one.depth > depth ? one.depth : depth;
     pressure = one.pressure > pressure ? one.pressure : pressure;
-  }
-#pragma omp simd
-  for (int i = first; i < end; ++i) share_out(common, nodes, feet, forces, i);
-  if constexpr (swollen) {
-#pragma omp simd
-    for (int i = first; i < end; ++i) share_load(law, common.twist, nodes, feet, forces, i);
   }
   return {.area = area,
           .normal = normal,
@@ -349,37 +307,97 @@ PlyPassSums press_all(const PlyPassLaw& law_given, double inverse_time, const Pl
           .pressure = pressure};
 }
 
+template <bool swollen>
+void share_all(const PlyPassLaw& law_given, const PlyPassNodes& nodes_given, const PlyFeet& feet, PlyPull& pull,
+               PlyPassForces& forces, int first, int end) {
+  const PlyPassLaw law = law_given;
+  const PlyPassNodes nodes = nodes_given;
+  const double twist = nodes.beside[2] != 0 ? 1.0 : 0.0;
+#pragma omp simd
+  for (int i = first; i < end; ++i) share_out<swollen>(law, twist, nodes, feet, pull, forces, i);
+}
+
 void add(int count, const double* more, double* into) {
 #pragma omp simd
   for (int i = 0; i < count; ++i) into[i] += more[i];
 }
 
-void way(int count, const double* from, const double* to, double* between) {
+void ways(int lanes, int stride, const double* const (&x)[3], PlyNormals& normals) {
+  const double *x0 = x[0], *x1 = x[1], *x2 = x[2];
 #pragma omp simd
-  for (int i = 0; i < count; ++i) between[i] = to[i] - from[i];
+  for (int i = 0; i < lanes; ++i) {
+    normals.a[0][i] = x0[i + 1] - x0[i - 1];
+    normals.a[1][i] = x1[i + 1] - x1[i - 1];
+    normals.a[2][i] = x2[i + 1] - x2[i - 1];
+    normals.b[0][i] = x0[i + stride] - x0[i - stride];
+    normals.b[1][i] = x1[i + stride] - x1[i - stride];
+    normals.b[2][i] = x2[i + stride] - x2[i - stride];
+  }
 }
 
-void lever(int count, int stride, const double* lever_a, const double* lever_b, double* force) {
-  const double *west = lever_a - 1, *east = lever_a + 1, *south = lever_b - stride, *north = lever_b + stride;
+void turn(int lanes, PlyNormals& normals) {
 #pragma omp simd
-  for (int i = 0; i < count; ++i) force[i] += (west[i] - east[i]) + (south[i] - north[i]);
+  for (int i = 0; i < lanes; ++i) {
+    const double a[3] = {normals.a[0][i], normals.a[1][i], normals.a[2][i]},
+                 b[3] = {normals.b[0][i], normals.b[1][i], normals.b[2][i]};
+    const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    normals.n[0][i] = n[0];
+    normals.n[1][i] = n[1];
+    normals.n[2][i] = n[2];
+    normals.size[i] = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  }
+}
+
+// a x G_a + b x G_b = C: what is across n by f = C x n/n^2, the rest, of rounding's size, by turning both.
+void take(int count, const PlyNormals& normals, const PlyPull& pull, double* const (&force)[3],
+          double* const (&lever)[6]) {
+  double *f0 = force[0], *f1 = force[1], *f2 = force[2];
+  double *a0 = lever[0], *a1 = lever[1], *a2 = lever[2], *b0 = lever[3], *b1 = lever[4], *b2 = lever[5];
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double a[3] = {normals.a[0][i], normals.a[1][i], normals.a[2][i]},
+                 b[3] = {normals.b[0][i], normals.b[1][i], normals.b[2][i]},
+                 n[3] = {normals.n[0][i], normals.n[1][i], normals.n[2][i]},
+                 c[3] = {pull.couple[0][i], pull.couple[1][i], pull.couple[2][i]};
+    const double n_n = normals.size[i] * normals.size[i] + least;
+    const double a_b = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + b[0] * b[0] + b[1] * b[1] + b[2] * b[2] + least;
+    const double inverse = 1.0 / n_n;
+    const double g[3] = {(c[1] * n[2] - c[2] * n[1]) * inverse, (c[2] * n[0] - c[0] * n[2]) * inverse,
+                         (c[0] * n[1] - c[1] * n[0]) * inverse};
+    const double w = (c[0] * n[0] + c[1] * n[1] + c[2] * n[2]) * inverse / a_b;
+    f0[i] += pull.force[0][i];
+    f1[i] += pull.force[1][i];
+    f2[i] += pull.force[2][i];
+    a0[i] = b[1] * g[2] - b[2] * g[1] + w * (n[1] * a[2] - n[2] * a[1]);
+    a1[i] = b[2] * g[0] - b[0] * g[2] + w * (n[2] * a[0] - n[0] * a[2]);
+    a2[i] = b[0] * g[1] - b[1] * g[0] + w * (n[0] * a[1] - n[1] * a[0]);
+    b0[i] = g[1] * a[2] - g[2] * a[1] + w * (n[1] * b[2] - n[2] * b[1]);
+    b1[i] = g[2] * a[0] - g[0] * a[2] + w * (n[2] * b[0] - n[0] * b[2]);
+    b2[i] = g[0] * a[1] - g[1] * a[0] + w * (n[0] * b[1] - n[1] * b[0]);
+  }
+}
+
+void lever(int count, int stride, const double* const (&given)[6], double* const (&force)[3]) {
+  for (int d = 0; d < 3; ++d) {
+    const double *west = given[d] - 1, *east = given[d] + 1, *south = given[d + 3] - stride,
+                 *north = given[d + 3] + stride;
+    double* const into = force[d];
+#pragma omp simd
+    for (int i = 0; i < count; ++i) into[i] += (west[i] - east[i]) + (south[i] - north[i]);
+  }
 }
 
 using Four [[gnu::vector_size(32)]] = double;
 
-template <bool swollen>
 void give_back(int first, int end, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
                double* into, char* touched) {
   const int away[4] = {0, beside[0], beside[1], beside[2]};
   for (int i = first; i < end; ++i) {
     if (!(forces.acts[i] > 0.0)) continue;
+    const Four force = *reinterpret_cast<const Four*>(forces.force + 4 * static_cast<long>(i));
     for (int a = 0; a < 4; ++a) {
       const long node = corner[i] + away[a];
-      Four* const sum = reinterpret_cast<Four*>(into + 4 * node);
-      double load = 0.0;
-      if constexpr (swollen) load = forces.load[a + 1][i];
-      const Four more = {forces.back[a][0][i], forces.back[a][1][i], forces.back[a][2][i], load};
-      *sum += more;
+      *reinterpret_cast<Four*>(into + 4 * node) -= forces.weight[a][i] * force;
       touched[node / ply_segment] = 1;
     }
   }
@@ -415,17 +433,21 @@ double speed(int count, const double* const (&v)[3]) {
 }  // namespace
 
 extern const PlyLoops ply_loops;
-const PlyLoops ply_loops = {.feet = find_feet,
-                            .springs = press_all<false, false>,
-                            .tables = press_all<true, false>,
-                            .swollen = press_all<true, true>,
-                            .add = add,
-                            .way = way,
-                            .lever = lever,
-                            .give_back = give_back<false>,
-                            .give_back_swollen = give_back<true>,
-                            .fold_loads = fold_loads,
-                            .fold = fold,
-                            .speed = speed};
+const PlyLoops ply_loops = {
+    .feet = find_feet,
+    .press = {press_all<PlyLawKind::of(0)>, press_all<PlyLawKind::of(1)>, press_all<PlyLawKind::of(2)>,
+              press_all<PlyLawKind::of(3)>, press_all<PlyLawKind::of(4)>, press_all<PlyLawKind::of(5)>,
+              press_all<PlyLawKind::of(6)>, press_all<PlyLawKind::of(7)>},
+    .share = share_all<false>,
+    .share_swollen = share_all<true>,
+    .add = add,
+    .ways = ways,
+    .turn = turn,
+    .take = take,
+    .lever = lever,
+    .give_back = give_back,
+    .fold_loads = fold_loads,
+    .fold = fold,
+    .speed = speed};
 
 }  // namespace weaveform::WEAVEFORM_SET

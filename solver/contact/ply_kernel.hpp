@@ -21,9 +21,9 @@
 //   T.dS    = T'.(dx - sum N_a dx_a - s dn),  T' = T - (T.n) m/(m.n)                   (dS: the foot's way on the cell)
 // so that the node takes F = (N - T.n) m/(m.n) + T (N with the sign of its side, T along the cell), corner a takes
 // -N_a F, and n takes -s F, which is a couple on the node's neighbours: the forces +-G_a at the ends of a, +-G_b at those
-// of b, with a x G_a + b x G_b = -r x F, G_a = b x f + w n x a, G_b = f x a + w n x b. Forces and moments sum to zero to
-// rounding. With the couple elsewhere, say on the corners, friction would be a force without a potential, and plies
-// flutter on it.
+// of b, with a x G_a + b x G_b = C = -r x F, G_a = b x f + w n x a, G_b = f x a + w n x b. C of all surfaces that a node
+// meets is added up first. Forces and moments sum to zero to rounding. With the couple elsewhere, say on the corners,
+// friction would be a force without a potential, and plies flutter on it.
 //
 // Plies that thicken as they shear (sheared_thickness.hpp; w per node, interpolated over a cell) have
 //   reach = h_own w + h_other sum N_a w_a,     h the flat half thicknesses
@@ -60,12 +60,26 @@ struct PlyPassLaw {
   double half_other = 0.0;    // mm; of the surface's
 };
 
+// What all passes of a block have in common: what lies between its nodes' neighbours along warp and weft, and their
+// normals. Anything finite in lanes without a node.
+struct PlyNormals {
+  alignas(64) double a[3][ply_nodes_at_a_time], b[3][ply_nodes_at_a_time];  // mm
+  alignas(64) double n[3][ply_nodes_at_a_time];  // mm^2; a x b, which points upwards; there is no foot where it is 0
+  alignas(64) double size[ply_nodes_at_a_time];  // mm^2; of n
+};
+
+// What the nodes of a block take of all passes together.
+struct PlyPull {
+  alignas(64) double force[3][ply_nodes_at_a_time];   // N; F
+  alignas(64) double couple[3][ply_nodes_at_a_time];  // N mm; C
+  alignas(64) double load[ply_nodes_at_a_time];       // N mm; dE/dw, of swollen loops only
+};
+
 // Arrays of `count` entries, but for those of the surface.
 struct PlyPassNodes {
   int count;
-  const double* x[3];           // mm
-  const double* a[3];           // mm; between the node's neighbours along the warp
-  const double* b[3];           // mm; along the weft; a x b points upwards, and there is no foot where it is 0
+  const double* x[3];  // mm
+  const PlyNormals* normals;
   const double* stiffness;      // N/mm; k; 0 where nothing acts: what is kept of such a node stays as it is
   const double* area;           // mm^2; of the fabric around the node
   const long* corner;           // first corner of the foot's cell; as wide as doubles, so that loops do not mix widths
@@ -80,13 +94,11 @@ struct PlyPassNodes {
   const double* surface_swell;  // 1; of the other ply's nodes
 };
 
-// What the nodes of a block feel.
+// What one pass gives to the corners.
 struct PlyPassForces {
-  alignas(64) double force[3][ply_nodes_at_a_time];    // N; F
-  alignas(64) double back[4][3][ply_nodes_at_a_time];  // N; of each corner
-  alignas(64) double lever[6][ply_nodes_at_a_time];    // N; G_a and G_b
-  alignas(64) double acts[ply_nodes_at_a_time];        // N; above 0 where something acts
-  alignas(64) double load[5][ply_nodes_at_a_time];     // N mm; dE/dw of the node and each corner, of swollen loops only
+  alignas(64) double force[4 * ply_nodes_at_a_time];  // N and N mm; F, x y z, and less what acts on the other's w
+  alignas(64) double weight[4][ply_nodes_at_a_time];  // 1; N_a
+  alignas(64) double acts[ply_nodes_at_a_time];       // N; above 0 where something acts
 };
 
 // Sums over a block.
@@ -117,12 +129,15 @@ struct PlyFeet {
 // Moves their feet (`place`) to where they are now. The greatest way of a foot out of its cell, in the cell's
 // coordinates: -1 where nothing acts, 1e300 where one has none.
 using PlyFindFeet = double(const PlyPassNodes& nodes, PlyFeet& feet, int first, int end);
-// Forces there. `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
+// N and T there. `inverse_time` is 1/s over the step just made, 0 for a first look, which loses and damps nothing.
 using PlyPress = PlyPassSums(const PlyPassLaw& law, double inverse_time, const PlyPassNodes& nodes, PlyFeet& feet,
                              PlyPassForces& forces, int first, int end);
+// F of them: added to what the nodes take, and as the corners will.
+using PlyShare = void(const PlyPassLaw& law, const PlyPassNodes& nodes, const PlyFeet& feet, PlyPull& pull,
+                      PlyPassForces& forces, int first, int end);
 
-// Nodes whose forces lie together, x, y, z and dE/dw or nothing, so that one is added with one instruction; `touched` has a flag
-// for each so many of them.
+// Nodes whose forces lie together, x, y, z and dE/dw or nothing, so that one is added with one instruction; `touched` has
+// a flag for each so many of them.
 inline constexpr int ply_segment = 64;
 // Adds what the corners take of the nodes first .. end - 1.
 using PlyGiveBack = void(int first, int end, const long* corner, const int (&beside)[3], const PlyPassForces& forces,
@@ -131,11 +146,17 @@ using PlyGiveBack = void(int first, int end, const long* corner, const int (&bes
 // into[i] += more[i].
 using PlyAdd = void(int count, const double* more, double* into);
 
-// way[i] = to[i] - from[i].
-using PlyWay = void(int count, const double* from, const double* to, double* way);
+// a and b of nodes in a row, whose neighbours lie beside them in `x`, those along the weft `stride` away.
+using PlyWays = void(int lanes, int stride, const double* const (&x)[3], PlyNormals& normals);
+// n of what is there of a and b.
+using PlyTurn = void(int lanes, PlyNormals& normals);
+
+// F added to `force`, and the forces that make C: G_a in the first three, G_b in the others.
+using PlyTake = void(int count, const PlyNormals& normals, const PlyPull& pull, double* const (&force)[3],
+                     double* const (&lever)[6]);
 
 // force[i] += G_a[i - 1] - G_a[i + 1] + G_b[i - stride] - G_b[i + stride].
-using PlyLever = void(int count, int stride, const double* lever_a, const double* lever_b, double* force);
+using PlyLever = void(int count, int stride, const double* const (&lever)[6], double* const (&force)[3]);
 
 // into[i] += from[4 i + 3].
 using PlyFoldLoads = void(int count, const double* from, double* into);
@@ -146,16 +167,26 @@ using PlyFold = void(int count, double* from, double* const (&into)[3]);
 // mm/s; greatest speed.
 using PlySpeed = double(int count, const double* const (&v)[3]);
 
+// What a pair's law has beside springs and Coulomb. Each has a loop of its own: a choice within one leaves it scalar.
+struct PlyLawKind {
+  bool sheared = false, measured = false;  // by tables, of shear stress and of pressure
+  bool swollen = false;                    // plies thicken
+  static constexpr int kinds = 8;
+  static constexpr PlyLawKind of(int number) { return {(number & 1) != 0, (number & 2) != 0, (number & 4) != 0}; }
+  [[nodiscard]] constexpr int number() const { return (sheared ? 1 : 0) + (measured ? 2 : 0) + (swollen ? 4 : 0); }
+};
+
 struct PlyLoops {
   PlyFindFeet* feet;
-  PlyPress* springs;  // Coulomb, springs
-  PlyPress* tables;   // with tables of shear or pressure, either or both
-  PlyPress* swollen;  // with or without tables, of plies that thicken
+  PlyPress* press[PlyLawKind::kinds];
+  PlyShare* share;
+  PlyShare* share_swollen;
   PlyAdd* add;
-  PlyWay* way;
+  PlyWays* ways;
+  PlyTurn* turn;
+  PlyTake* take;
   PlyLever* lever;
   PlyGiveBack* give_back;
-  PlyGiveBack* give_back_swollen;
   PlyFoldLoads* fold_loads;
   PlyFold* fold;
   PlySpeed* speed;

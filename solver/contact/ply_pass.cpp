@@ -8,6 +8,7 @@ namespace weaveform {
 namespace {
 
 constexpr int tidy_every = 8, look_for_lost_every = 16;  // steps; for feet that have left the ply, and may come back
+constexpr double worth_clearing = 20.0;  // steps; feet of a clear block are searched again, which costs as much
 constexpr double safe_part = 0.5;  // of a measured clearance: distances along normals are not quite the least ones
 
 void add_sums(const PlyPassSums& one, PlyPassSums& all) {
@@ -134,6 +135,7 @@ PlyPassNodes PlyPassState::nodes_of(int number, const BlockFrame& frame) {
   const int stride = other_.ply().packed().stride;
   PlyPassNodes nodes{};
   nodes.count = block.lanes;
+  nodes.normals = &frame.normals;
   nodes.stiffness = on_quads_.data() + block.at;
   nodes.area = own_.area().data() + block.at;
   nodes.corner = corner_.data() + block.at;
@@ -150,15 +152,13 @@ PlyPassNodes PlyPassState::nodes_of(int number, const BlockFrame& frame) {
   nodes.surface_swell = swollen_ ? other_.swell().data() : nullptr;
   for (int c = 0; c < 3; ++c) {
     nodes.x[c] = frame.x[c];
-    nodes.a[c] = frame.a[c];
-    nodes.b[c] = frame.b[c];
     nodes.surface[c] = other_.state().position[c].data();
     nodes.drag[c] = drag_[c].data() + block.at;
   }
   return nodes;
 }
 
-void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time, PlyReturn& back) {
+bool PlyPassState::look(int number, const BlockFrame& frame, double inverse_time, PlyPull& pull, PlyReturn& back) {
   const PlyBlock& block = own_.blocks()[number];
   const bool was_clear = clear_[number] != 0;
   if (was_clear) find_again(number);
@@ -174,10 +174,15 @@ void PlyPassState::look(int number, const BlockFrame& frame, double inverse_time
   if (outside > cell_border) move_feet(number, nodes, feet, tidies);
   measured_[number] = 0;
   sums_[number] = {};
-  press(number, nodes, feet, was_clear ? 0.0 : inverse_time, back);
-  const double room = measured_[number] != 0 ? 0.0 : clearance(number, sums_[number].depth);
+  press(number, nodes, feet, was_clear ? 0.0 : inverse_time, pull, back);
+  double room = 0.0;
+  if (measured_[number] == 0) {
+    const double way = inverse_time > 0.0 ? own_.speed(number) / inverse_time : 0.0;  // and the other ply's
+    room = clearance(number, sums_[number].depth, worth_clearing * 2.0 * way);
+  }
   clear_[number] = room > 0.0 ? 1 : 0;
   far_[number] = room > 0.0 ? own_.way + other_.way + room : no_depth;
+  return measured_[number] != 0;
 }
 
 bool PlyPassState::is_on_triangle(int lane) const {
@@ -200,18 +205,24 @@ double PlyPassState::find_one(int number, const PlyPassNodes& nodes, PlyFeet& fe
 }
 
 // Quads all at once, triangles one by one.
-void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyReturn& back) {
+void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyPull& pull,
+                         PlyReturn& back) {
   const PlyBlock& block = own_.blocks()[number];
-  const bool with_tables = law_.shear.intervals > 0 || law_.pressure.intervals > 0;
+  const PlyLawKind kind = {
+      .sheared = law_.shear.intervals > 0, .measured = law_.pressure.intervals > 0, .swollen = swollen_};
   const PlyLoops& loops = loops_of_plies();
-  const auto& press = swollen_ ? loops.swollen : with_tables ? loops.tables : loops.springs;
+  const auto& press = loops.press[kind.number()];
+  const auto& share = swollen_ ? loops.share_swollen : loops.share;
   PlyPassForces forces;
   const auto press_some = [&](const PlyPassNodes& some, int first, int end) {
     const PlyPassSums sums = press(law_, inverse_time, some, feet, forces, first, end);
     add_sums(sums, sums_[number]);
     if (!(sums.depth > touch_)) return;
     measured_[number] = 1;
-    add(some, number, first, std::min(end, block.count), forces, back);
+    share(law_, some, feet, pull, forces, first, end);
+    make_room(back);
+    loops.give_back(first, std::min(end, block.count), some.corner, some.beside, forces, back.force.data(),
+                    back.touched.data());
   };
   press_some(nodes, 0, block.lanes);
   if (triangles_[number] == 0) return;
@@ -219,28 +230,19 @@ void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, d
     if (is_on_triangle(block.at + i)) press_some(alone(number, nodes, i), i, i + 1);
 }
 
-void PlyPassState::add(const PlyPassNodes& nodes, int block, int first, int end, const PlyPassForces& forces,
-                       PlyReturn& back) {
-  if (back.force.empty()) {
-    back.force.assign(4 * static_cast<std::size_t>(other_.nodes()), 0.0);
-    back.touched.assign(static_cast<std::size_t>(other_.nodes()) / ply_segment + 1, 0);
-  }
-  const int node = own_.blocks()[block].first;
-  for (int c = 0; c < 3; ++c)
-    loops_of_plies().add(end - first, forces.force[c] + first, own_.state().force[c].data() + node + first);
-  own_.add_levers(block, first, end, forces.lever);
-  const PlyLoops& loops = loops_of_plies();
-  const auto& give_back = swollen_ ? loops.give_back_swollen : loops.give_back;
-  give_back(first, end, nodes.corner, nodes.beside, forces, back.force.data(), back.touched.data());
-  if (swollen_) loops.add(end - first, forces.load[0] + first, own_.load().data() + node + first);
+void PlyPassState::make_room(PlyReturn& back) const {
+  if (!back.force.empty()) return;
+  back.force.assign(4 * static_cast<std::size_t>(other_.nodes()), 0.0);
+  back.touched.assign(static_cast<std::size_t>(other_.nodes()) / ply_segment + 1, 0);
 }
 
-// mm; how far a block is from touching, of nodes beside the ply how far they are from its edge, along the ply or over it.
-double PlyPassState::clearance(int number, double depth) const {
+// mm; how far a block is from touching, of nodes beside the ply how far they are from its edge, along the ply or over it;
+// 0 where that is no more than `least`.
+double PlyPassState::clearance(int number, double depth, double least) const {
   double room = depth > no_depth ? safe_part * (touch_ - depth) : std::numeric_limits<double>::max();
-  if (off_[number] == 0 || room <= 0.0) return std::max(room, 0.0);
+  if (off_[number] == 0 || room <= least) return room > least ? room : 0.0;
   const PlyBlock& block = own_.blocks()[number];
-  for (int l = block.at; l < block.at + block.count && room > 0.0; ++l) {
+  for (int l = block.at; l < block.at + block.count && room > least; ++l) {
     if (stiffness_[l] > 0.0 || facet_[l] < 0) continue;
     const SurfacePlace place = place_of(l), edge = other_.surface().held_inside(place);
     if (other_.surface().outside(place) <= cell_border) return 0.0;  // in a fold
@@ -250,7 +252,7 @@ double PlyPassState::clearance(int number, double depth) const {
                         reach_at(l, edge) + touch_;
     room = std::min(room, safe_part * std::max(beside, over));
   }
-  return std::max(room, 0.0);
+  return room > least ? room : 0.0;
 }
 
 PlyPassSums PlyPassState::sums() const {

@@ -4,7 +4,7 @@
 // by 0.3 of it, for there lies half a yarn more, and plies of one outline would else lose each other at every quiver.
 //
 // Culling as in contact.hpp: a block of nodes that is clear of the surface is not looked at until both plies can have
-// moved so far. Blocks are looked at in parallel, each in a chunk that has its own list of what the other ply takes,
+// moved so far. Its feet must be searched then, so that one that is clear for a few steps only counts as near. Blocks are looked at in parallel, each in a chunk that has its own list of what the other ply takes,
 // and the lists are added in order.
 #pragma once
 
@@ -44,8 +44,9 @@ public:
 
   // Whether the block can touch now.
   [[nodiscard]] bool is_near(int block) const { return far_[block] <= own_.way + other_.way; }
-  // Forces of a block: added to own state().force, and to `back`. `inverse_time` as in ply_kernel.hpp.
-  void look(int block, const BlockFrame& frame, double inverse_time, PlyReturn& back);
+  // Forces of a block: added to what its nodes take, and to `back`. `inverse_time` as in ply_kernel.hpp. Whether there
+  // are any.
+  bool look(int block, const BlockFrame& frame, double inverse_time, PlyPull& pull, PlyReturn& back);
   void pass_over(int block) { measured_[block] = 0; }
 
   // Of all blocks that touched in the last step, in order.
@@ -97,13 +98,13 @@ private:
   [[nodiscard]] SurfacePlace place_again(int lane) const;
   void find_again(int block);
   void find_lost(int block);
-  [[nodiscard]] double clearance(int block, double depth) const;
+  [[nodiscard]] double clearance(int block, double depth, double least) const;
   [[nodiscard]] PlyPassNodes nodes_of(int block, const BlockFrame& frame);
   [[nodiscard]] bool is_on_triangle(int lane) const;
   [[nodiscard]] PlyPassNodes alone(int block, const PlyPassNodes& nodes, int i) const;
   double find_one(int block, const PlyPassNodes& nodes, PlyFeet& feet, int i);
-  void press(int block, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyReturn& back);
-  void add(const PlyPassNodes& nodes, int block, int first, int end, const PlyPassForces& forces, PlyReturn& back);
+  void press(int block, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyPull& pull, PlyReturn& back);
+  void make_room(PlyReturn& back) const;
 
   PlyFace& own_;
   const PlyFace& other_;

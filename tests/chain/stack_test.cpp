@@ -448,6 +448,28 @@ TEST_F(StackChain, PliesApartAreTheirRunsAloneAndAGripFeelsAllItHolds) {
   EXPECT_NEAR(two, 2.0 * one, 1e-9 * std::abs(two));
 }
 
+// Two plies in the grips of a bias extension are a bias extension: its loads are twice the one's, ideal and simulated.
+TEST_F(StackChain, StackedSpecimensAreComparedAsOneTest) {
+  write_text(tiny_scene(), folder_.path() / "alone.toml");
+  write_text(
+      tiny_scene() + "\n[stack]\nfriction = 0.3\n[[ply]]\nname = \"a\"\n[[ply]]\nname = \"b\"\nyarn_angle = -45\n",
+      folder_.path() / "stack.toml");
+  run("weaveform run alone.toml --output alone --quiet");
+  run("weaveform run stack.toml --output stack --quiet");
+  const nlohmann::json alone = summary("alone"), stack = summary("stack");
+  EXPECT_NEAR(stack["ideal"]["force_N"].get<double>(), 2.0 * alone["ideal"]["force_N"].get<double>(), 1e-9);
+  EXPECT_EQ(stack["ideal"]["shear_angle_deg"], alone["ideal"]["shear_angle_deg"]);
+  EXPECT_EQ(stack["bias_extension"], alone["bias_extension"]);
+  EXPECT_EQ(stack["travel"].size(), alone["travel"].size());
+  for (const auto& [name, sign] : {std::pair{"a", 1.0}, {"b", -1.0}})
+    for (const char* zone : {"A", "B", "C"}) {
+      const auto &its = stack["plies"][name]["zones"][zone], &the = alone["zones"][zone];
+      EXPECT_EQ(its["cells"], the["cells"]) << name << zone;
+      EXPECT_NEAR(its["shear_angle_deg"].get<double>(), sign * the["shear_angle_deg"].get<double>(), 1e-3) << zone;
+      EXPECT_NEAR(its["ideal_deg"].get<double>(), sign * the["ideal_deg"].get<double>(), 1e-9) << zone;
+    }
+}
+
 TEST_F(StackChain, ARunOfOnePlyInAStackIsThatPlysRun) {
   write_text(stack_blank + stack_pull, folder_.path() / "alone.toml");
   write_text(stack_blank + "[[ply]]\nname = \"only\"\n" + stack_pull, folder_.path() / "stack.toml");

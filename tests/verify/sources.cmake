@@ -24,6 +24,7 @@ set(VERIFY_SOURCES
   verify/sheared_thickness_test.cpp
   verify/stack_cases_test.cpp
   verify/stack_test.cpp
+  verify/stacked_bias_extension_test.cpp
   verify/tension_shear_test.cpp
   verify/two_senses_test.cpp
   verify/stability_binder_test.cpp

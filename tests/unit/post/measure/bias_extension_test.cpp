@@ -190,6 +190,22 @@ TEST(FindBiasExtension, KnowsTheTestOnEitherAxisAndAtEitherSignOfTheAngle) {
   EXPECT_EQ(specimen->grip, (std::array<std::string, 2>{"upper", "lower"}));
 }
 
+TEST(FindBiasExtension, TakesAStackForOneTestWhereAllPliesAreSpecimensOfOneSizeInTheSameGrips) {
+  const Scene one = test::bias_scene(115.0, 230.0);
+  Scene other = one;
+  other.blank.yarn_angle = -45.0;
+  EXPECT_TRUE(find_bias_extension({&one, &other}).has_value());
+  other.blank.size = {100.0, 230.0};
+  EXPECT_FALSE(find_bias_extension({&one, &other}).has_value());
+  other = one;
+  other.blank.yarn_angle = 0.0;
+  EXPECT_FALSE(find_bias_extension({&one, &other}).has_value());
+  EXPECT_FALSE(find_bias_extension({&other, &one}).has_value());
+  other = one;
+  other.grip.pop_back();  // held by one of the two
+  EXPECT_FALSE(find_bias_extension({&one, &other}).has_value());
+}
+
 TEST(FindBiasExtension, LeavesOtherTestsAlone) {
   const auto changed = [](auto change) {
     Scene scene = test::bias_scene(115.0, 230.0);

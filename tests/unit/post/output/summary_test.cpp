@@ -53,7 +53,7 @@ struct IdealRun {
     result.statistics.energy_error = 0.00123;
     result.grip = summarise_grips(scene, history);
     result.measure = summarise_measures(scene, history);
-    result.bias = compare_bias_extension(specimen, scene, card, mesh, end, history);
+    result.bias = compare_bias_extension(specimen, scene, {{scene, card, mesh, end}}, history);
     return result;
   }
 };
@@ -62,10 +62,34 @@ TEST(Summary, IdealRunAgreesWithTheIdealWithTheSignOfTheSimulation) {
   const IdealRun run;
   for (const double sign : {1.0, -1.0}) {
     const BiasComparison bias = *run.summary(sign).bias;
-    for (std::size_t z = 0; z < 3; ++z) EXPECT_NEAR(bias.simulated[z].mean, bias.ideal_angle[z], 1e-12);
-    EXPECT_EQ(bias.ideal_angle[0] > 0.0, sign > 0.0);
+    for (std::size_t z = 0; z < 3; ++z) EXPECT_NEAR(bias.zones[0].simulated[z].mean, bias.zones[0].ideal[z], 1e-12);
+    EXPECT_EQ(bias.zones[0].ideal[0] > 0.0, sign > 0.0);
     EXPECT_GT(bias.row.back().ideal_load, 0.0);
   }
+}
+
+TEST(Summary, StackOfSpecimensAddsUpTheIdealLoadsAndHasZonesOfEachPly) {
+  const IdealRun run;
+  Summary alone = run.summary(1.0), stack = run.summary(1.0);
+  const BiasSpecimen specimen = *find_bias_extension(run.scene);
+  Fields end = compute_fields(run.mesh, run.card, {}, 1.0,
+                              test::ideal_positions(run.mesh, specimen, kinematic_shear_angle(specimen, run.travel)));
+  Fields turned = end;
+  for (double& g : turned.shear_angle) g = -g;
+  stack.bias = compare_bias_extension(specimen, run.scene,
+                                      {{run.scene, run.card, run.mesh, end}, {run.scene, run.card, run.mesh, turned}},
+                                      run.history);
+  stack.ply.resize(2);
+  stack.ply[0].name = "lower";
+  stack.ply[1].name = "upper";
+  EXPECT_DOUBLE_EQ(stack.bias->row.back().ideal_load, 2.0 * alone.bias->row.back().ideal_load);
+  EXPECT_EQ(stack.bias->row.back().ideal_angle, alone.bias->row.back().ideal_angle);
+  const nlohmann::ordered_json json = summary_json(stack), single = summary_json(alone);
+  EXPECT_FALSE(json.contains("zones"));
+  EXPECT_EQ(json["plies"]["lower"]["zones"], single["zones"]);
+  EXPECT_EQ(json["plies"]["upper"]["zones"]["A"]["ideal_deg"].get<double>(),
+            -single["zones"]["A"]["ideal_deg"].get<double>());
+  EXPECT_NE(summary_table(stack).find("upper"), std::string::npos);
 }
 
 TEST(Summary, RowsOverTheTravelRiseToTheEnd) {
