@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -115,14 +116,19 @@ public:
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  void write(const Fields& fields);  // throws FileError
+  // Packs and writes the frame beside what the caller does next, after waiting for the one before. Throws FileError for
+  // the frame before; the last one's comes from settle().
+  void write(const Fields& fields);
   [[nodiscard]] int count() const { return static_cast<int>(times_.size()); }
-  [[nodiscard]] const std::vector<double>& times() const { return times_; }  // s; of the frames written
-  // Waits until all frames written, and their index, are on the disk.
+  [[nodiscard]] const std::vector<double>& times() const {
+    return times_;
+  }  // s; of the frames, the last at work included
+  // Waits until all frames, and their index, are on the disk. Throws FileError.
   void settle();
 
 private:
   struct Grid;  // the frame as VTK holds it; topology built once
+  void write_last() const;
   void write_index() const;
 
   std::filesystem::path directory_;
@@ -130,6 +136,7 @@ private:
   std::vector<double> times_;  // s
   std::size_t settled_ = 0;    // frames known to be on the disk
   std::unique_ptr<Grid> grid_;
+  std::future<void> at_work_;  // the last frame, until it is in its file; grid_ and times_ are its until then
 };
 
 struct FrameFile {
