@@ -111,7 +111,7 @@ TEST_F(ChosenDuration, BringsToolsASpeedThatStartsAndStopsGently) {
   EXPECT_LT(chosen->speed.back()[1], 0.3);
   EXPECT_LT(chosen->duration, chosen->smooth_duration);
   EXPECT_LE(chosen->share, inertia_of_auto);
-  const auto check = test::run_command("weaveform check scene.toml", folder.path());
+  const auto check = test::run_command("weaveform check scene.toml --resolved", folder.path());
   ASSERT_EQ(check.exit_code, 0) << check.err;
   EXPECT_TRUE(test::says(check.out, fmt::format("# analysis.duration = {:g}: ", chosen->duration))) << check.out;
   EXPECT_TRUE(test::says(check.out, "# tools.punch.speed = [[0, 0], [")) << check.out;
@@ -200,9 +200,16 @@ TEST_F(ChosenDuration, OfTrialsThatAreStoppedIsSaidAsFarAsItIsKnown) {
 // Three plies on coarser meshes go through each other, so that trials are on the scene's own, and take longer than a check.
 TEST_F(ChosenDuration, OfTrialsThatACheckDoesNotWaitForIsSaid) {
   std::string text = drawing("duration = \"auto\"");
-  for (const char* ply : {"low", "middle", "high"})
-    text.insert(text.find("[tools.punch]"), fmt::format("[[ply]]\nname = \"{}\"\n", ply));
-  text.replace(text.find("coarsening = 2"), 14, "coarsening = 1");
+  for (const auto& [ply, angle] : {std::pair{"low", 0}, {"middle", 45}, {"high", 0}})
+    text.insert(text.find("[tools.punch]"),
+                fmt::format("[[ply]]\nname = \"{}\"\nyarn_angle = {}\ncell = \"rotation-free\"\n", ply, angle));
+  for (const auto& [is, shall_be] : {std::pair{"[236.16, 236.16]", "[300.0, 300.0]\n"},
+                                     {"radius = 50.0", "radius = 75.0"},
+                                     {"travel = 40.0", "travel = 50.0"},
+                                     {"fillet_radius = 25.0", "fillet_radius = 7.5"},
+                                     {"opening_radius = 54.0", "opening_radius = 80.0"},
+                                     {"opening_radius = 54.0", "opening_radius = 80.0"}})
+    text.replace(text.find(is), std::string(is).size(), shall_be);
   write(text);
   const auto check = test::run_command("weaveform check scene.toml", folder.path());
   ASSERT_EQ(check.exit_code, 0) << check.err;

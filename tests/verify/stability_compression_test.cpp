@@ -117,8 +117,7 @@ TEST(StabilityCompression, YarnsTooSoftInCompressionTakeForceAndAngleAwayAndSayS
 // The modulus acts on every yarn that is pressed, and on none that is pulled. With the step that follows the strains
 // reached 1e-3: viscosity goes with the step, and that with the modulus where it is the stiffest.
 TEST(StabilityCompression, APulledFabricDoesNotKnowTheModulus) {
-  Scene scene = test::example("bias_extension_pw",
-                              {"blank.coarsening=4", "analysis.duration=0.2", test::late_punch, "output.frames=0"});
+  Scene scene = test::example("bias_extension_pw", {"blank.coarsening=4", "analysis.duration=0.2", "output.frames=0"});
   const auto load_at = [&](double modulus) {
     scene.model.compression_modulus = modulus;
     return Solved(scene).last("top.force_N");

@@ -48,9 +48,9 @@ struct SpeedCase {
 };
 
 Scene at_duration(const SpeedCase& test, double duration) {
-  Scene scene = example(test.example, test.overrides);
-  scene.analysis.duration = duration;
-  return scene;
+  std::vector<std::string> overrides = test.overrides;
+  overrides.push_back("analysis.duration=" + std::to_string(duration));
+  return example(test.example, overrides);
 }
 
 // `multiplied`: least and greatest ratio of the load's error to the share of inertia.
