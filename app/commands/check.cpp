@@ -47,7 +47,7 @@ std::string chosen_or_why_not(Resolved& model, const SceneArguments& scene, doub
         "is "
         "for {:.3g} s",
         duration_key, seconds,
-        stopped.so_far() > 0.0 ? fmt::format("by the first of them about {:.2g} s", stopped.so_far())
+        stopped.so_far() > 0.0 ? fmt::format("by those that have ended about {:.2g} s", stopped.so_far())
                                : "none has ended yet",
         choose_loading(model).duration);
   }
