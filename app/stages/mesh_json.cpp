@@ -29,7 +29,8 @@ nlohmann::ordered_json mesh_json(const Resolved& model) {
   return json;
 }
 
-nlohmann::ordered_json check_json(const Resolved& model, const ExpectedRun& expected, const std::string& resolved) {
+nlohmann::ordered_json check_json(const Resolved& model, const ExpectedRun& expected, const std::string& not_chosen,
+                                  const std::string& resolved) {
   nlohmann::ordered_json json = {{"mesh", mesh_json(model)},
                                  {"expected",
                                   {{"cells_solved", expected.cells_solved},
@@ -38,6 +39,7 @@ nlohmann::ordered_json check_json(const Resolved& model, const ExpectedRun& expe
                                    {"wall_s", expected.wall},
                                    {"memory_MB", 1e-6 * expected.memory}}},
                                  {"scene", toml_file_json(scene_to_toml(model.scene), model.scene.file)}};
+  if (!not_chosen.empty()) json["not_chosen"] = not_chosen;
   if (!resolved.empty()) json["resolved"] = toml_file_json(resolved, model.scene.file).at("resolved");
   return json;
 }

@@ -14,8 +14,9 @@ namespace weaveform {
 [[nodiscard]] nlohmann::ordered_json mesh_json(const Resolved& model);
 
 // "mesh" as above, "expected" (what the run is expected to take), "scene" (every value, under the names of the
-// scene file) and, of a `resolved` that is not empty, "resolved": the tables of resolved_text.
+// scene file) and, where they are not empty, "not_chosen": a line on what is left to trials that were not made, and
+// "resolved": the tables of resolved_text.
 [[nodiscard]] nlohmann::ordered_json check_json(const Resolved& model, const ExpectedRun& expected,
-                                                const std::string& resolved);
+                                                const std::string& not_chosen, const std::string& resolved);
 
 }  // namespace weaveform

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/stages/chosen_duration.hpp"
 #include "app/stages/claims.hpp"
 #include "app/stages/room.hpp"
 #include "core/error.hpp"
@@ -11,7 +12,9 @@
 #include "mesher/mesh/mesh_io.hpp"
 #include "mesher/scene/reader.hpp"
 #include "mesher/scene/scene_copy.hpp"
+#include "mesher/scene/taken.hpp"
 #include "solver/analysis/identity.hpp"
+#include "solver/analysis/loading.hpp"
 
 namespace weaveform {
 
@@ -71,10 +74,33 @@ ResultFolder go_on_with_model(Resolved model, const fs::path& directory, const L
   return ResultFolder(directory);
 }
 
+namespace {
+
+// Of a mesh from another code, and of a scene that was changed in its folder; the commands that make a mesh of a scene
+// have chosen before.
+void choose_what_folder_leaves_open(ResultFolder& folder, const SolveOptions& options, const Listener& listener) {
+  const fs::path directory = folder.directory();
+  if (options.resume && (has_checkpoint(directory) || is_finished(directory))) return;
+  if (!leaves_open(folder.scene(), duration_key)) return;
+  Resolved model = folder.model();
+  listener.log(fmt::format("{}: left to trials on this mesh of {} cells, each about as long as the run", duration_key,
+                           model.mesh.cells.size()));
+  const std::size_t known = model.scene.taken.size();
+  set_duration(model, choose_duration(model, options.stop_requested));
+  const std::vector<std::string> lines = taken_lines(model.scene);
+  for (std::size_t k = known; k < lines.size(); ++k) listener.log(lines[k]);
+  write_scene_copy(model.scene, directory, scene_name_of(directory));
+  folder = ResultFolder(directory, std::move(model));
+}
+
+}  // namespace
+
 void solve_folder(ResultFolder& folder, const SolveOptions& options, const Listener& listener, bool yes) {
+  if (!yes) (void)require_room(folder.model(), folder.directory(), yes);
+  choose_what_folder_leaves_open(folder, options, listener);
   const fs::path& directory = folder.directory();
   const Resolved& model = folder.model();
-  if (!yes) (void)require_room(model, directory, yes);
+  if (const std::string line = describe_automatic_duration(model); !line.empty()) listener.log(line);
   listener.log(describe(model.symmetry));
   SolveOptions how = options;
   how.program = version_line();

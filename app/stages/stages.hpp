@@ -34,8 +34,10 @@ ResultFolder write_model(Resolved model, const std::filesystem::path& directory,
 // goes on only as it began, but for keys that change nothing in the history (solver/analysis/identity.hpp).
 ResultFolder go_on_with_model(Resolved model, const std::filesystem::path& directory, const Listener& listener);
 
-// solve: adds frames, history and statistics. With options.resume, a finished run is left alone, and one that left no
-// checkpoint begins again; both are said. Room is asked for as above, unless `yes`. Throws what solve throws.
+// solve: adds frames, history and statistics. What duration and speeds the folder's scene leaves to trials is chosen
+// first, and put into it (app/stages/chosen_duration.hpp). With options.resume, a finished run is left alone, and one
+// that left no checkpoint begins again; both are said. Room is asked for as above, unless `yes`. Throws what solve
+// throws.
 void solve_folder(ResultFolder& folder, const SolveOptions& options, const Listener& listener, bool yes);
 
 }  // namespace weaveform

@@ -15,8 +15,8 @@ constexpr double left_out = 0.1;                           // of all turning, wh
 constexpr double least_deficit = 0.25 * std::numbers::pi;  // rad; of a part that is doubly curved, half a box corner
 constexpr double on_the_axis = 1e-6;                       // of an arc's radius
 
-void keep_tighter(ToolBend& kept, double radius, const std::string& tool) {
-  if (radius < kept.radius) kept = {radius, tool};
+void keep_tighter(ToolBend& kept, double radius, const std::string& tool, double along_yarns = 0.0) {
+  if (radius < kept.radius) kept = {radius, tool, along_yarns};
 }
 
 // The radius beyond which all turning but the share `left_out` lies; infinite when nothing turns.
@@ -77,8 +77,8 @@ public:
 
 private:
   [[nodiscard]] bool is_draped_over(const Tool& tool) const { return scene_.drape && scene_.drape->tool == tool.name; }
-  void add_edge(const Tool& tool, double radius) {
-    keep_tighter(bends_.edge, radius + tool.offset, tool.name);
+  void add_edge(const Tool& tool, double radius, double along_yarns = 0.0) {
+    keep_tighter(bends_.edge, radius + tool.offset, tool.name, along_yarns);
     if (is_draped_over(tool)) keep_tighter(bends_.drape, radius + tool.offset, tool.name);
   }
   void add_hollow(const Tool& tool, double radius) {
@@ -108,16 +108,27 @@ private:
     return std::hypot(x[0], x[1]) <= reach_;
   }
 
+  [[nodiscard]] bool runs_along_yarns(const Vec3& along) const {
+    const double from_warp =
+        std::atan2(along[1], along[0]) * degrees_per_radian - scene_.blank.orientation - scene_.blank.yarn_angle;
+    return std::hypot(along[0], along[1]) > std::cos(nearly_along_deg / degrees_per_radian) &&
+           std::abs(std::remainder(from_warp, 90.0)) < nearly_along_deg;
+  }
+
   void look_at_facets(const Tool& tool) {
     const Facets facets = facets_of(*tool.surface);
     std::vector<std::pair<double, double>> bulging, hollow;  // radius (mm), turning (mm)
+    double all = 0.0, along = 0.0;                           // mm; of what bulges
     for (const FacetEdge& edge : facets.edge) {
       if (!in_reach(tool, edge.at) || edge.turn == 0.0) continue;
       if (std::abs(edge.turn) * degrees_per_radian > sharp_turn_deg) continue;
       const double turn = std::abs(edge.turn);
       (edge.turn > 0.0 ? bulging : hollow).emplace_back(edge.width / turn, turn * edge.length);
+      if (edge.turn < 0.0) continue;
+      all += turn * edge.length;
+      if (runs_along_yarns(edge.along)) along += turn * edge.length;
     }
-    add_edge(tool, radius_of_turning(std::move(bulging)));
+    add_edge(tool, radius_of_turning(std::move(bulging)), all > 0.0 ? along / all : 0.0);
     add_hollow(tool, radius_of_turning(std::move(hollow)));
     std::vector<FacetVertex> convex;
     double deficit = 0.0;

@@ -12,6 +12,7 @@ namespace weaveform {
 struct ToolBend {
   double radius = std::numeric_limits<double>::infinity();  // mm; of the fabric's middle plane
   std::string tool;                                         // its name; "" when there is none
+  double along_yarns = 0.0;  // 1; of triangles, the part of the turning that is about yarns
 };
 
 struct ToolBends {
@@ -30,7 +31,9 @@ struct ToolBends {
 // and does not count: no mesh resolves it, most of them (a plate's rim) no fabric meets, and a chord that lies on one is
 // told at the end of the run. The width is sqrt(2) times the narrower standard deviation of the convex vertices weighted
 // by their angle deficits, which is a ring's radius, 0.82 of a ball's, and more of a box than half its side. What lies
-// off the blank's extent in the plane (mm, `reach` from the blank's centre) does not count.
+// off the blank's extent in the plane (mm, `reach` from the blank's centre) does not count. An edge runs along yarns when
+// it lies within nearly_along of one of the flat blank's families.
+inline constexpr double nearly_along_deg = 5.0;
 inline constexpr double sharp_turn_deg = 35.0;
 [[nodiscard]] ToolBends tool_bends(const Scene& scene, const std::vector<Tool>& tools, double reach);
 

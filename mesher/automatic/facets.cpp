@@ -34,7 +34,8 @@ double angle_at(const Vec3& corner, const Vec3& a, const Vec3& b) {
 FacetEdge edge_of(const Shared& shared) {
   const Side &one = shared.side[0], &other = shared.side[1];
   const Vec3 along = minus(shared.end, shared.begin);
-  FacetEdge edge{scaled(plus(shared.begin, shared.end), 0.5), 0.0, length(along), 0.0};
+  FacetEdge edge{.at = scaled(plus(shared.begin, shared.end), 0.5), .length = length(along)};
+  edge.along = scaled(along, 1.0 / edge.length);
   const double turn = std::atan2(length(cross(one.normal, other.normal)), dot(one.normal, other.normal));
   const bool bulges = dot(minus(other.opposite, shared.begin), one.normal) < 0.0;
   edge.turn = bulges ? turn : -turn;

@@ -9,10 +9,11 @@
 namespace weaveform {
 
 struct FacetEdge {
-  Vec3 at = {0.0, 0.0, 0.0};  // mm; its middle
-  double turn = 0.0;          // rad; of the surface across it, positive where the material bulges
-  double length = 0.0;        // mm
-  double width = 0.0;         // mm; over which it turns: between the centres of the two triangles
+  Vec3 at = {0.0, 0.0, 0.0};     // mm; its middle
+  Vec3 along = {0.0, 0.0, 0.0};  // from one end to the other, of length 1
+  double turn = 0.0;             // rad; of the surface across it, positive where the material bulges
+  double length = 0.0;           // mm
+  double width = 0.0;            // mm; over which it turns: between the centres of the two triangles
 };
 
 struct FacetVertex {

@@ -29,10 +29,13 @@ public:
   void add(double side, const std::string& why) {
     if (side < bound_.side) bound_ = {side, why, ""};
   }
-  [[nodiscard]] const Bound& least() const { return bound_; }
+  // What no bound can promise.
+  void doubt(const std::string& missed) { doubt_ = missed; }
+  [[nodiscard]] Bound least() const { return {bound_.side, bound_.why, doubt_}; }
 
 private:
   Bound bound_;
+  std::string doubt_;
 };
 
 std::string wanted_words(const AccuracySpec& wanted) {
@@ -56,6 +59,16 @@ void bound_by_tools(const Scene& scene, const Card& card, double reach, Bounds& 
     bounds.add(
         longest_over_tools(forming_errors(scene.analysis.curved_contact), wanted, bends.form.radius, bends.edge.radius),
         fmt::format("for {} where {}", wanted_words(wanted), bend_words(bends)));
+  const bool curved = scene.analysis.curved_contact;
+  if (bends.edge.along_yarns > mostly_along_yarns && wanted.force < promised_along_yarns(curved))
+    bounds.doubt(
+        fmt::format("edges of tool '{}' run along the yarns, which all meet them at the same phase of the mesh: the "
+                    "force of such a box "
+                    "scattered by {:.2g} % from mesh to mesh, so that {:.3g} % cannot be promised; {}",
+                    bends.edge.tool, 100.0 * promised_along_yarns(curved), 100.0 * wanted.force,
+                    curved ? "compare two meshes"
+                           : fmt::format("set analysis.curved_contact, with which it was {:.2g} %",
+                                         100.0 * promised_along_yarns(true))));
   if (!bends.drape.tool.empty())
     bounds.add(longest_of_net(wanted, bends.drape.radius),
                fmt::format("for {:.3g} deg of the net on tool '{}', whose tightest bend is {:.3g} mm", wanted.angle,
@@ -119,8 +132,8 @@ Bound longest_cell(const Scene& scene, const Card& card, const std::array<double
   Bound bound = bounds.least();
   const double finest = finest_coarsening * std::sqrt(card.yarn[0].interval * card.yarn[1].interval);
   if (bound.side < finest) {
-    bound.missed =
-        fmt::format("cells of {:.2g} mm are wanted ({}), finer than any that were measured", bound.side, bound.why);
+    bound.missed = fmt::format("cells of {:.2g} mm are wanted ({}), finer than any that were measured{}{}", bound.side,
+                               bound.why, bound.missed.empty() ? "" : "; ", bound.missed);
     bound.side = finest;
     bound.why = "half a yarn's interval, the finest that was measured";
   }

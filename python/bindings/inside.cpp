@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "core/version/version.hpp"
 #include "errors.hpp"
 #include "mesher/resolve/resolve.hpp"
+#include "mesher/scene/taken.hpp"
+#include "solver/analysis/loading.hpp"
 #include "solver/analysis/steered.hpp"
 #include "solver/bending/flexure.hpp"
 #include "views.hpp"
@@ -31,12 +34,22 @@ Resolved model_of(const std::string& scene, const std::vector<std::string>& over
   return model;
 }
 
+// A duration by trials is the program's to choose: what a world takes in its place is to be known.
+std::string duration_note(const Resolved& model) {
+  const auto travels = [](const ToolSpec& tool) { return tool.travel != 0.0; };
+  const auto& tools = model.scene.tools;
+  const bool asked = leaves_open(model.scene, duration_key) || std::any_of(tools.begin(), tools.end(), travels);
+  return asked ? describe_automatic_duration(model) : "";
+}
+
 class World {
 public:
   World(const std::string& scene, const std::vector<std::string>& overrides, int threads)
       : steered_(model_of(scene, overrides), threads),
         grips_(steered_.world()),
-        warnings_(early_warnings(steered_.model())) {}
+        warnings_(early_warnings(steered_.model())) {
+    if (const std::string note = duration_note(steered_.model()); !note.empty()) warnings_.push_back(note);
+  }
 
   // Steps taken: fewer than asked for at the end of the run. Other threads of Python go on meanwhile, but not with this
   // world; Ctrl-C comes through between steps.

@@ -1,9 +1,12 @@
 #include "solver/analysis/loading.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "mesher/scene/taken.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/constraint/grips.hpp"
 #include "solver/contact/tool_motion.hpp"
@@ -25,6 +28,22 @@ bool only_weight_acts(const Scene& scene) {
   const auto moves = [](const auto& part) { return part.travel != 0.0; };
   return scene.analysis.gravity != std::array<double, 3>{0.0, 0.0, 0.0} && scene.tools.empty() && !scene.frame &&
          std::none_of(scene.grip.begin(), scene.grip.end(), moves);
+}
+
+bool tools_alone_travel(const Scene& scene) {
+  const auto travels = [](const auto& part) { return part.travel != 0.0; };
+  return !scene.frame && std::none_of(scene.grip.begin(), scene.grip.end(), travels) &&
+         std::any_of(scene.tools.begin(), scene.tools.end(), travels);
+}
+
+// What choose_loading goes by where the scene gives neither duration nor speed.
+std::string by_what(const Scene& scene) {
+  if (only_weight_acts(scene)) return "until the slowest sway of the blank has come to rest";
+  if (tools_alone_travel(scene)) return fmt::format("so that no tool is faster than {:g} mm/s", default_tool_speed);
+  return fmt::format(
+      "{:g} times as long as the slowest shear wave takes across the blank, and longer for a "
+      "long way",
+      default_crossings);
 }
 
 // 1/mm; where the law reaches a moment (N mm), `most` if it does not before.
@@ -119,6 +138,18 @@ Loading choose_loading(const Resolved& model) {
     if (k == 0 || own.duration > slowest.duration) slowest = own;
   }
   return slowest;
+}
+
+std::string describe_automatic_duration(const Resolved& model) {
+  const Scene& scene = model.scene;
+  if (scene.analysis.duration || scene.analysis.loading_speed) return "";
+  const bool open = leaves_open(scene, duration_key);
+  return fmt::format("{} = {:.3g} s: {}, {}{}", duration_key, choose_loading(model).duration,
+                     open ? "not by trials" : "left out", by_what(scene),
+                     open ? "; 'weaveform mesh' makes the trials that analysis.inertia asks for, and a scene.toml that "
+                            "has their duration"
+                     : tools_alone_travel(scene) ? ", whatever inertia comes to; \"auto\" chooses it by inertia"
+                                                 : "");
 }
 
 }  // namespace weaveform

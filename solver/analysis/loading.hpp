@@ -22,6 +22,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "fabric/card/card.hpp"
 #include "mesher/resolve/resolved.hpp"
@@ -53,5 +54,9 @@ inline constexpr double hasty_share = 0.2;
 // The same of a scene with all its plies: those of the ply that wants the longest duration.
 [[nodiscard]] double automatic_duration(const Resolved& model);
 [[nodiscard]] Loading choose_loading(const Resolved& model);
+
+// One line on the duration of a scene that gives neither duration nor loading_speed: how long, by what, and what else may
+// be asked for. "" of any other scene.
+[[nodiscard]] std::string describe_automatic_duration(const Resolved& model);
 
 }  // namespace weaveform

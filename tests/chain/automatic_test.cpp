@@ -134,6 +134,16 @@ TEST_F(AutomaticChoice, ThatDidNotHoldIsAWarning) {
   EXPECT_FALSE(taken[0]["held"]);
 }
 
+// The box's fillets run along the yarns: contact at nodes scatters there by more than 2 % of the force.
+TEST_F(AutomaticChoice, OfEdgesAlongTheYarnsSaysWhatItCannotPromise) {
+  const std::string check =
+      "check '" WEAVEFORM_SOURCE_DIR "/examples/cad_box.toml' --set blank.coarsening=auto --set analysis.duration=0.05";
+  EXPECT_TRUE(says(weaveform(check), "edges of tool 'die' run along the yarns"));
+  for (const char* with :
+       {" --set analysis.curved_contact=true", " --set accuracy.force=0.1", " --set blank.yarn_angle=30"})
+    EXPECT_FALSE(says(weaveform(check + with), "run along the yarns")) << with;
+}
+
 TEST_F(AutomaticChoice, IsRefusedWhereAFoldersSceneWasOpenedByHand) {
   ASSERT_EQ(weaveform("mesh scene.toml --output out").exit_code, 0);
   test::write_text(belt, folder.path() / "out/scene.toml");

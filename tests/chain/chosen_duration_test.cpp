@@ -111,7 +111,7 @@ TEST_F(ChosenDuration, BringsToolsASpeedThatStartsAndStopsGently) {
   EXPECT_LT(chosen->speed.back()[1], 0.3);
   EXPECT_LT(chosen->duration, chosen->smooth_duration);
   EXPECT_LE(chosen->share, inertia_of_auto);
-  const auto check = test::run_command("weaveform check scene.toml", folder.path());
+  const auto check = test::run_command("weaveform check scene.toml --resolved", folder.path());
   ASSERT_EQ(check.exit_code, 0) << check.err;
   EXPECT_TRUE(test::says(check.out, fmt::format("# analysis.duration = {:g}: ", chosen->duration))) << check.out;
   EXPECT_TRUE(test::says(check.out, "# tools.punch.speed = [[0, 0], [")) << check.out;
@@ -152,6 +152,70 @@ TEST_F(ChosenDuration, LeavesASpeedThatIsGivenAndMotionsThatHaveNone) {
   given.replace(given.find("travel = 40.0"), 13, "travel = 40.0\nspeed = [[0, 0], [0.5, 1], [1, 0]]");
   EXPECT_TRUE(choose_duration(write(given), {})->tools.empty());
   EXPECT_TRUE(choose_duration(write(bias("inertia = 0.05")), {})->tools.empty());
+}
+
+// A mesh from elsewhere comes with no coarser ones, so that the trials are on it.
+TEST_F(ChosenDuration, OfAMeshFromElsewhereIsChosenWhenItIsSolved) {
+  write(bias("inertia = 0.02"));
+  const auto weaveform = [&](const std::string& arguments) {
+    const auto result = test::run_command("weaveform " + arguments, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.err;
+  };
+  weaveform("export scene.toml --set analysis.duration=0.3 --format gmsh --output mesh.msh");
+  weaveform("import mesh.msh --set analysis.duration=auto --output out");
+  EXPECT_FALSE(read_scene(folder.path() / "out/scene.toml").analysis.duration.has_value());
+  const std::string log = weaveform("solve out");
+  const Scene copy = read_scene(folder.path() / "out/scene.toml");
+  ASSERT_NE(find_taken(copy, duration_key), nullptr);
+  EXPECT_TRUE(test::says(log, fmt::format("analysis.duration = {:g}: inertia is", *copy.analysis.duration))) << log;
+  weaveform("post out");
+  const std::string summary = test::read_text(folder.path() / "out/summary.json");
+  EXPECT_TRUE(test::says(summary, "\"analysis.duration\"")) << summary;
+  const double share = share_of((folder.path() / "scene.toml").string(),
+                                {fmt::format("analysis.duration={}", *copy.analysis.duration), "output.history=200"});
+  EXPECT_LT(share, 0.02);
+  EXPECT_GT(share, 0.01);
+  EXPECT_FALSE(test::says(weaveform("solve out"), "left to trials")) << "chosen once";
+}
+
+TEST_F(ChosenDuration, OfTrialsThatAreStoppedIsSaidAsFarAsItIsKnown) {
+  const std::string scene = write(bias("inertia = 0.02"));
+  long steps = 0;
+  const auto whole = choose_duration(scene, {}, [&] { return ++steps, false; });
+  for (const long last : {10L, steps - 10}) {
+    long taken = 0;
+    try {
+      (void)choose_duration(scene, {}, [&] { return ++taken > last; });
+      FAIL() << "not stopped";
+    } catch (const TrialsStopped& stopped) {
+      if (last == 10)
+        EXPECT_EQ(stopped.so_far(), 0.0);
+      else
+        EXPECT_NEAR(stopped.so_far(), whole->duration, 0.3 * whole->duration);
+    }
+  }
+}
+
+// Three plies on coarser meshes go through each other, so that trials are on the scene's own, and take longer than a check.
+TEST_F(ChosenDuration, OfTrialsThatACheckDoesNotWaitForIsSaid) {
+  std::string text = drawing("duration = \"auto\"");
+  for (const auto& [ply, angle] : {std::pair{"low", 0}, {"middle", 45}, {"high", 0}})
+    text.insert(text.find("[tools.punch]"),
+                fmt::format("[[ply]]\nname = \"{}\"\nyarn_angle = {}\ncell = \"rotation-free\"\n", ply, angle));
+  for (const auto& [is, shall_be] : {std::pair{"[236.16, 236.16]", "[300.0, 300.0]\n"},
+                                     {"radius = 50.0", "radius = 75.0"},
+                                     {"travel = 40.0", "travel = 50.0"},
+                                     {"fillet_radius = 25.0", "fillet_radius = 7.5"},
+                                     {"opening_radius = 54.0", "opening_radius = 80.0"},
+                                     {"opening_radius = 54.0", "opening_radius = 80.0"}})
+    text.replace(text.find(is), std::string(is).size(), shall_be);
+  write(text);
+  const auto check = test::run_command("weaveform check scene.toml", folder.path());
+  ASSERT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_TRUE(test::says(check.out, "# analysis.duration: left to trials, which take longer than 3 s")) << check.out;
+  EXPECT_TRUE(test::says(check.out, "\nduration = \"auto\"")) << check.out;
+  EXPECT_TRUE(test::says(check.out, "\ninertia = 0.01")) << check.out;
 }
 
 TEST_F(ChosenDuration, DoesNotHangOnHowMuchIsWritten) {

@@ -25,9 +25,10 @@ std::string first_line(const fs::path& file) {
 
 TEST(FormingChain, CoarseHemisphereGivesAllOutputs) {
   const TemporaryFolder folder;
-  const auto run = run_command("weaveform run '" WEAVEFORM_SOURCE_DIR
-                               "/examples/hemisphere_pw.toml' --output out --set blank.coarsening=8",
-                               folder.path());
+  const auto run =
+      run_command("weaveform run '" WEAVEFORM_SOURCE_DIR
+                  "/examples/hemisphere_pw.toml' --output out --set blank.coarsening=8 --set analysis.duration=0.4",
+                  folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("forming, about the axis of punch"), std::string::npos) << run.out;
   const fs::path out = folder.path() / "out";

@@ -62,7 +62,7 @@ TEST_P(Plan, SaysCellsExactlyAndStepsAndTimeClosely) {
 
 INSTANTIATE_TEST_SUITE_P(Examples, Plan,
                          testing::Values(std::pair<std::string, std::string>("bias_extension_pw", "2"),
-                                         std::pair<std::string, std::string>("hemisphere_pw", "4"),
+                                         std::pair<std::string, std::string>("hemisphere_pw", "2"),
                                          std::pair<std::string, std::string>("bias_extension_tw", "4")));
 
 TEST(Plan, LevelsWithoutAMeshSayWhyAndTheRestStands) {

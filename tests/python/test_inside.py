@@ -457,3 +457,11 @@ def test_the_manual_says_every_name():
     names = [name for of in (inside.World, inside.Ply) for name in vars(of) if not name.startswith("_")]
     missing = [name for name in names if not re.search(rf"\b{name}\b", text)]
     assert not missing
+
+
+def test_a_duration_that_is_left_to_trials_is_said_to_be_another(examples):
+    world = inside.World(examples / "hemisphere_pw.toml", {"blank.coarsening": 8})
+    said = [line for line in world.warnings if line.startswith("analysis.duration = ")]
+    assert len(said) == 1 and "not by trials" in said[0] and f"{world.duration:.3g} s" in said[0]
+    given = inside.World(examples / "hemisphere_pw.toml", {"blank.coarsening": 8, "analysis.duration": 0.1})
+    assert not any("analysis.duration" in line for line in given.warnings)

@@ -14,6 +14,9 @@ inline Scene example(const std::string& name, const std::vector<std::string>& ov
   return read_scene(std::string(WEAVEFORM_SOURCE_DIR) + "/examples/" + name + ".toml", overrides);
 }
 
+// The course of the hemisphere's punch with which what tests compare with was measured (bench/stability).
+inline const std::string late_punch = "tools.punch.speed=[[0,0],[0.5,0.15],[0.75,1],[0.9,1],[1,0]]";
+
 struct Solved {
   Scene scene;
   Card card;

@@ -16,7 +16,7 @@ using namespace test;
 constexpr double greatest_mu = 0.587;
 
 SolveResult drawn(double coarsening, double friction) {
-  Scene scene = example("hemisphere_pw");
+  Scene scene = example("hemisphere_pw", {late_punch});
   scene.blank.coarsening = {coarsening, coarsening};
   for (auto& tool : scene.tools) tool.friction = friction;
   scene.analysis.duration = 0.2;

@@ -1,4 +1,5 @@
 set(UNIT_SOLVER_SOURCES
+  unit/solver/analysis/loading_test.cpp
   unit/solver/analysis/steered_test.cpp
   unit/solver/analysis/world_test.cpp
   unit/solver/bending/bend_friction_test.cpp

@@ -67,6 +67,24 @@ ToolBends bends_of(const Tool& tool, double reach = 1e6) {
   return tool_bends(Scene{}, {tool}, reach);
 }
 
+// Of the edge's turning all is about the direction it runs in, whichever family that is.
+TEST(ToolBends, OfAnEdgeAlongTheYarnsSayThatItIs) {
+  const Tool tool = tool_of(rounded_edge(6.0, 80.0, 8, 0.0));  // along x
+  for (const double yarns : {0.0, 3.0, 30.0, 45.0, 87.0, 90.0}) {
+    Scene scene;
+    scene.blank.yarn_angle = yarns - 20.0;
+    scene.blank.orientation = 20.0;
+    const double along = tool_bends(scene, {tool}, 1e6).edge.along_yarns;
+    if (yarns == 30.0 || yarns == 45.0)
+      EXPECT_EQ(along, 0.0) << yarns;
+    else
+      EXPECT_NEAR(along, 1.0, 1e-12) << yarns;
+  }
+  Scene scene;
+  scene.blank.yarn_angle = 0.0;
+  EXPECT_LT(tool_bends(scene, {tool_of(ball_half(20.0, 12))}, 1e6).edge.along_yarns, 0.3) << "round tools average";
+}
+
 // Facets of 5 to 22 degrees: within 6 %, for the two chords beside the flat are half turned. Slivers hide where they turn:
 // the radius may come out smaller by a third (facets.cpp), never larger.
 TEST(ToolBends, OfARoundedEdgeOfTrianglesAreItsRadius) {
