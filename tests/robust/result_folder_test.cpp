@@ -81,7 +81,7 @@ TEST_F(ResultFolder, HoldsNothingOfAnOlderSceneWhateverWroteIt) {
   done("weaveform drape " + drape + " --output drape --quiet");
   done(
       "weaveform run tiny.toml --output out --quiet --accuracy 90% --finest 0.25 --set analysis.duration=0.05 --set "
-      "grip.top.travel=10 --set model.yarn_law=linear");
+      "grip.top.travel=12 --set model.yarn_law=linear");
   done("weaveform post virtual out --quiet --set instrument.facet_size=4");
   done("weaveform post compare out out/virtual/stages --settings out/virtual/settings.toml --quiet");
   done("weaveform export tiny.toml --format gmsh --output mesh.msh --quiet");
