@@ -38,10 +38,12 @@ struct VectorOf {
 };
 using Vector = VectorOf<double, native_width>::Type;
 using ShortVector = VectorOf<float, native_width>::Type;  // a vector's numbers in single precision: half of one
-using AnyVector =
-    double __attribute__((vector_size(native_width * sizeof(double)), aligned(sizeof(double)), may_alias));
-using AnyShortVector =
-    float __attribute__((vector_size(native_width * sizeof(float)), aligned(sizeof(float)), may_alias));
+// The attribute stands beside the name: beside the type clang++ leaves the alignment as it is.
+using AnyVector __attribute__((vector_size(native_width * sizeof(double)), aligned(sizeof(double)), may_alias)) =
+    double;
+using AnyShortVector __attribute__((vector_size(native_width * sizeof(float)), aligned(sizeof(float)), may_alias)) =
+    float;
+static_assert(alignof(AnyVector) == sizeof(double) && alignof(AnyShortVector) == sizeof(float));
 
 // A vector of either precision: `halves` times as many numbers as one of double precision.
 template <class Real>
