@@ -10,7 +10,7 @@
 namespace weaveform {
 namespace {
 
-// As yarn_pass() of solver/lattice/element_loops.cpp.
+// As yarn_pass() of solver/lattice/element_loops.cpp, near the length at rest.
 void make_yarn(const PaperLaw& law) {
   const double rest = 4.92;
   Counted way[3], change[3];
@@ -22,8 +22,8 @@ void make_yarn(const PaperLaw& law) {
   const Counted square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
   const Counted area = 1.25;
   Counted inverse;
-  const Counted elastic =
-      yarn_force_per_length<Section::incompressible>(law, square, square - rest * rest, Counted(rest), area, inverse);
+  const Counted elastic = yarn_force_per_length<Section::incompressible, true>(law, square, square - rest * rest,
+                                                                               Counted(rest), area, inverse);
   const Counted viscous = viscous_force_per_length<Counted>(inverse, rate, area, 1.0);
   const Counted coming = square + 2.0 * rate;
   [[maybe_unused]] const Counted power = viscous * rate + 0.0;
