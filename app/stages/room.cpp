@@ -101,10 +101,12 @@ Solve first_steps(const Resolved& model, int steps) {
   return {trial.duration_s, trial.step_s, trial.cells_solved, trial.wall_s};
 }
 
-// s; of a step on this machine, now, without what an analysis takes to begin.
+// s; of a step on this machine, now, without what an analysis takes to begin, the shorter of two beginnings: one that the
+// machine held up would leave no time to the steps, and let a run of weeks pass.
 double measured_step(const Resolved& model, const Solve& first) {
   const Solve more = first_steps(model, measured_steps);
-  return std::max(more.wall - first.wall, 0.0) / (measured_steps - 1);
+  const double beginning = std::min(first.wall, first_steps(model, 1).wall);
+  return std::max(more.wall - beginning, 0.0) / (measured_steps - 1);
 }
 
 double expected_rate(const Scene& scene, const Card& card) {
