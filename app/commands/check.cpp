@@ -42,14 +42,13 @@ std::string chosen_or_why_not(Resolved& model, const SceneArguments& scene, doub
     set_duration(model, choose_duration(scene.scene, scene.overrides, too_long));
     return "";
   } catch (const TrialsStopped& stopped) {
+    const std::string known = stopped.so_far() > 0.0
+                                  ? fmt::format("by those that have ended about {:.2g} s", stopped.so_far())
+                                  : "none has ended yet";
     return fmt::format(
-        "{}: left to trials, which take longer than {:g} s: 'check --resolved' and 'mesh' make them; {}, what follows "
-        "is "
-        "for {:.3g} s",
-        duration_key, seconds,
-        stopped.so_far() > 0.0 ? fmt::format("by those that have ended about {:.2g} s", stopped.so_far())
-                               : "none has ended yet",
-        choose_loading(model).duration);
+        "{}: left to trials, which take longer than {:g} s: 'check --resolved' and 'mesh' make them; {}, "
+        "what follows is for {:.3g} s",
+        duration_key, seconds, known, choose_loading(model).duration);
   }
 }
 

@@ -60,15 +60,17 @@ void bound_by_tools(const Scene& scene, const Card& card, double reach, Bounds& 
         longest_over_tools(forming_errors(scene.analysis.curved_contact), wanted, bends.form.radius, bends.edge.radius),
         fmt::format("for {} where {}", wanted_words(wanted), bend_words(bends)));
   const bool curved = scene.analysis.curved_contact;
-  if (bends.edge.along_yarns > mostly_along_yarns && wanted.force < promised_along_yarns(curved))
+  const double promised = promised_along_yarns(curved);
+  if (bends.edge.along_yarns > mostly_along_yarns && wanted.force < promised) {
+    const std::string advice = curved ? "compare two meshes"
+                                      : fmt::format("set analysis.curved_contact, with which it was {:.2g} %",
+                                                    100.0 * promised_along_yarns(true));
     bounds.doubt(
-        fmt::format("edges of tool '{}' run along the yarns, which all meet them at the same phase of the mesh: the "
-                    "force of such a box "
-                    "scattered by {:.2g} % from mesh to mesh, so that {:.3g} % cannot be promised; {}",
-                    bends.edge.tool, 100.0 * promised_along_yarns(curved), 100.0 * wanted.force,
-                    curved ? "compare two meshes"
-                           : fmt::format("set analysis.curved_contact, with which it was {:.2g} %",
-                                         100.0 * promised_along_yarns(true))));
+        fmt::format("edges of tool '{}' run along the yarns, which all meet them at the same phase of the mesh: "
+                    "the force of such a box scattered by {:.2g} % from mesh to mesh, so that {:.3g} % "
+                    "cannot be promised; {}",
+                    bends.edge.tool, 100.0 * promised, 100.0 * wanted.force, advice));
+  }
   if (!bends.drape.tool.empty())
     bounds.add(longest_of_net(wanted, bends.drape.radius),
                fmt::format("for {:.3g} deg of the net on tool '{}', whose tightest bend is {:.3g} mm", wanted.angle,

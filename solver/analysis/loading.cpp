@@ -40,10 +40,8 @@ bool tools_alone_travel(const Scene& scene) {
 std::string by_what(const Scene& scene) {
   if (only_weight_acts(scene)) return "until the slowest sway of the blank has come to rest";
   if (tools_alone_travel(scene)) return fmt::format("so that no tool is faster than {:g} mm/s", default_tool_speed);
-  return fmt::format(
-      "{:g} times as long as the slowest shear wave takes across the blank, and longer for a "
-      "long way",
-      default_crossings);
+  return fmt::format("{:g} times as long as the slowest shear wave takes across the blank, and longer for a long way",
+                     default_crossings);
 }
 
 // 1/mm; where the law reaches a moment (N mm), `most` if it does not before.
@@ -144,12 +142,14 @@ std::string describe_automatic_duration(const Resolved& model) {
   const Scene& scene = model.scene;
   if (scene.analysis.duration || scene.analysis.loading_speed) return "";
   const bool open = leaves_open(scene, duration_key);
+  std::string advice;
+  if (open)
+    advice =
+        "; 'weaveform mesh' makes the trials that analysis.inertia asks for, and a scene.toml that has their duration";
+  else if (tools_alone_travel(scene))
+    advice = ", whatever inertia comes to; \"auto\" chooses it by inertia";
   return fmt::format("{} = {:.3g} s: {}, {}{}", duration_key, choose_loading(model).duration,
-                     open ? "not by trials" : "left out", by_what(scene),
-                     open ? "; 'weaveform mesh' makes the trials that analysis.inertia asks for, and a scene.toml that "
-                            "has their duration"
-                     : tools_alone_travel(scene) ? ", whatever inertia comes to; \"auto\" chooses it by inertia"
-                                                 : "");
+                     open ? "not by trials" : "left out", by_what(scene), advice);
 }
 
 }  // namespace weaveform
