@@ -8,14 +8,24 @@ target_compile_options(weaveform_options INTERFACE $<BUILD_INTERFACE:-fno-semant
 if(WEAVEFORM_SANITIZE)
   target_compile_options(weaveform_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(weaveform_options INTERFACE -fsanitize=address,undefined)
+  # clang++ would put its runtime into each program, where the libraries cannot see it (own_symbols.map)
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-runtime-dir OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
+    target_link_options(weaveform_options INTERFACE -shared-libasan -Wl,-rpath,${runtime})
+  endif()
 endif()
 if(WEAVEFORM_FUZZ)
   target_compile_options(weaveform_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(weaveform_options INTERFACE -fsanitize=address,undefined)
 endif()
+# what g++ says of its address sanitizer by itself
+if((WEAVEFORM_SANITIZE OR WEAVEFORM_FUZZ) AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  target_compile_definitions(weaveform_options INTERFACE __SANITIZE_ADDRESS__)
+endif()
 # A program's templates are its own. Libraries that use the same ones (Gmsh has Eigen in it) would otherwise be bound to
 # those of the program, which are compiled with other options: with the address sanitizer, or for a machine with wider
-# vectors, Eigen then frees what it did not allocate. Not with clang's sanitizers, which must be seen by the libraries.
+# vectors, Eigen then frees what it did not allocate. Not with the fuzzer, whose runtime, in the program, the libraries
+# must see.
 if(NOT WEAVEFORM_FUZZ)
   target_link_options(weaveform_options INTERFACE
     $<BUILD_INTERFACE:$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/own_symbols.map>>)

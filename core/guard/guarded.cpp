@@ -43,12 +43,6 @@ enum class Outcome : char { result = 'R', input = 'I', file = 'F', memory = 'M',
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool address_space_is_reserved = true;  // terabytes of it, for shadow memory
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool address_space_is_reserved = true;
-#else
-constexpr bool address_space_is_reserved = false;
-#endif
 #else
 constexpr bool address_space_is_reserved = false;
 #endif

@@ -29,8 +29,8 @@ struct Guard {
 };
 
 // The bytes that `work` returns in the child. Exceptions of ours come back as they were thrown; any other, and the
-// child's death, is an InputError that begins with the file. The child may not use OpenMP: its threads do not survive
-// a fork. Throws FileError when no process can be started.
+// child's death, is an InputError that begins with the file. The child has the calling thread alone, for others do not
+// survive a fork. Throws FileError when no process can be started.
 [[nodiscard]] std::string run_guarded(const Guard& guard, const std::function<std::string()>& work);
 
 // Called by `work` in the child: what is left may take all the time there is.

@@ -1,7 +1,5 @@
 #include "solver/bending/lattice_bending.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>

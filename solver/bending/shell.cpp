@@ -1,7 +1,5 @@
 #include "solver/bending/shell.hpp"
 
-#include <omp.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
