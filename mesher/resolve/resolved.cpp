@@ -10,12 +10,37 @@
 #include "mesher/tools/out_of_reach.hpp"
 
 namespace weaveform {
+namespace {
+
+// Of fabric laid with its face down; "" where that is another thing than up.
+std::string same_either_way(const Resolved& ply) {
+  const ModelSpec& model = ply.scene.model;
+  if (ply.scene.fabric.face == FabricFace::up) return "";
+  if (ply.card.yarn[0].bending_out_of_plane.is_odd() && ply.card.yarn[1].bending_out_of_plane.is_odd())
+    return fmt::format(
+        "fabric.face = \"down\" changes nothing: the yarns of card '{}' bend alike with face and back outwards; give "
+        "them bending_out_of_plane_back, or leave it out",
+        ply.card.name);
+  const bool by_beams = model.yarn == YarnElement::beam && !model.yarn_bending;
+  const bool by_cells = model.yarn != YarnElement::beam && model.cell != CellElement::membrane && !model.cell_bending &&
+                        !ply.card.bending.rigidity;
+  if (by_beams || by_cells) return "";
+  return fmt::format(
+      "fabric.face = \"down\" changes nothing: no element bends by the two laws of card '{}'; set model.yarn = "
+      "\"beam\" or model.cell = \"rotation-free\" without numbers of their own, or leave it out",
+      ply.card.name);
+}
+
+}  // namespace
 
 std::vector<std::string> early_warnings(const Resolved& model) {
   std::vector<std::string> lines = idle_parts(model.scene);
   const auto add = [&](const std::vector<std::string>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
   for (std::size_t k = 0; k < model.plies(); ++k)
     for (const std::string& note : model.of_ply(k).outline.notes) lines.push_back(name_before(model, k) + note);
+  for (std::size_t k = 0; k < model.plies(); ++k)
+    if (const std::string line = same_either_way(model.of_ply(k)); !line.empty())
+      lines.push_back(name_before(model, k) + line);
   for (const Tool& tool : model.tools) add(tool.notes);
   for (std::size_t k = 0; k < model.plies(); ++k)
     for (const std::string& line : missed_lines(model.of_ply(k).scene)) lines.push_back(name_before(model, k) + line);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -48,6 +49,17 @@ TEST_F(Stack, PliesLieOnEachOtherFromTheBlanksPlaceUp) {
   EXPECT_DOUBLE_EQ(model.ply[1].scene.blank.position[2], 3.0 + t + 0.25);
   EXPECT_DOUBLE_EQ(model.ply[2].scene.blank.position[2], 3.0 + 2.0 * t + 0.25);
   for (std::size_t k = 0; k < 3; ++k) test::expect_same_mesh(ply_mesh(model.mesh, k), model.ply[k].mesh);
+}
+
+TEST_F(Stack, APlyLaidFaceDownThatIsTheSameEitherWayIsSaid) {
+  const std::string turned = "[model]\ncell = \"rotation-free\"\n" + plies + "face = \"down\"\n";
+  const auto lines = early_warnings(resolved(blank + turned));
+  const auto said = [](const std::string& line) {
+    return line.rfind("ply 'upper': fabric.face = \"down\" changes nothing", 0) == 0;
+  };
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), said), 1);
+  const auto silent = early_warnings(resolved(blank + plies));
+  EXPECT_EQ(std::count_if(silent.begin(), silent.end(), said), 0);
 }
 
 TEST_F(Stack, APlyThatIsPlacedCarriesThoseAfterIt) {

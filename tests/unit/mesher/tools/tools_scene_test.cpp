@@ -52,6 +52,20 @@ TEST(ToolScene, EchoReadsBackToTheSameTools) {
   EXPECT_EQ(read_scene_text(scene_to_toml(scene), "s.toml"), scene) << scene_to_toml(scene);
 }
 
+TEST(ToolScene, AGentleSpeedIsFastAtFirstAndEverSlowerToTheEnd) {
+  const Scene scene = read_scene_text(hemisphere_scene, "s.toml", {"tools.punch.speed=gentle"});
+  const auto& speed = scene.tools[2].speed;
+  ASSERT_GE(speed.size(), 3U);
+  EXPECT_EQ(speed.front(), (std::vector<double>{0, 0}));
+  EXPECT_EQ(speed.back().front(), 1.0);
+  EXPECT_LT(speed.back()[1], 0.2);
+  for (std::size_t n = 2; n < speed.size(); ++n) EXPECT_LE(speed[n][1], speed[n - 1][1]);
+  EXPECT_EQ(read_scene_text(scene_to_toml(scene), "s.toml"), scene);
+  EXPECT_NE(scene_complaint(hemisphere_scene, {"tools.punch.speed=gentel"})
+                .find("it must be a list of lists of numbers or \"gentle\""),
+            std::string::npos);
+}
+
 TEST(ToolScene, OverridesReachANamedTool) {
   const Scene scene = read_scene_text(hemisphere_scene, "s.toml", {"tools.punch.travel=60", "tools.die.friction=0.1"});
   EXPECT_EQ(scene.tools[2].travel, 60.0);
