@@ -28,8 +28,9 @@ for ((round = 1; round <= rounds; ++round)); do
   for side in base head; do
     build="$root/build"
     [[ $side == head ]] || build="$tree/build"
-    "$build/bin/weaveform_bench" --benchmark_filter="$filter" --benchmark_format=csv 2>/dev/null |
-      awk -F, -v side=$side '/^"/ { gsub(/"/, "", $1); print $1 "," side "," $4 }' >>"$folder/times.csv"
+    # as JSON: its CSV has no place for counters that some benchmarks have and others have not
+    "$build/bin/weaveform_bench" --benchmark_filter="$filter" --benchmark_format=json 2>/dev/null |
+      awk -F'[":, ]+' -v side=$side '$2 == "name" { name = $3 } $2 == "cpu_time" { print name "," side "," $3 }' >>"$folder/times.csv"
   done
 done
 

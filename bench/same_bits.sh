@@ -87,7 +87,7 @@ for line in "${scenes[@]}"; do
   }
   compare "$name" "$work/base_$name" "$work/head_$name"
 done
-run "$base" "$work/base_stopped" bias_extension_pw blank.coarsening=2
+run "$base" "$work/base_stopped" bias_extension_pw blank.coarsening=2 $stiffest
 run_with_stops "$head" "$work/head_stopped" || { cat "$work/head_stopped.log" && exit 1; }
 ((stops > 0)) || { echo "stopped: the run was over before it was stopped" && exit 1; }
 compare "stopped $stops times" "$work/base_stopped" "$work/head_stopped"
