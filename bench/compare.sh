@@ -30,7 +30,8 @@ for ((round = 1; round <= rounds; ++round)); do
     [[ $side == head ]] || build="$tree/build"
     # as JSON: its CSV has no place for counters that some benchmarks have and others have not
     "$build/bin/weaveform_bench" --benchmark_filter="$filter" --benchmark_format=json 2>/dev/null |
-      awk -F'[":, ]+' -v side=$side '$2 == "name" { name = $3 } $2 == "cpu_time" { print name "," side "," $3 }' >>"$folder/times.csv"
+      awk -F'"' -v side=$side '$2 == "name" { name = $4 }
+        $2 == "cpu_time" { gsub(/[:, ]/, "", $3); print name "," side "," $3 }' >>"$folder/times.csv"
   done
 done
 

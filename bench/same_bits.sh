@@ -3,14 +3,14 @@
 # contact, drape, symmetry and restart; histories, last frames and meshes are compared byte for byte, but for the lines
 # that name the program.
 #
-#   usage: bench/same_bits.sh BASE HEAD        (two binaries; two minutes)
+#   usage: bench/same_bits.sh BASE HEAD [EXAMPLES]   (two binaries; scenes that both read: this tree's; two minutes)
 #
 # Ends with 1 when anything differs. A changed order of sums is a reason to differ: say so, and show it harmless.
 set -euo pipefail
 
-(($# == 2)) || { sed -n '6s/^#//p' "$0" >&2; exit 2; }
+(($# == 2 || $# == 3)) || { sed -n '6s/^#//p' "$0" >&2; exit 2; }
 base=$(realpath "$1") head=$(realpath "$2")
-examples=$(realpath "$(dirname "$0")/../examples")
+examples=$(realpath "${3:-$(dirname "$0")/../examples}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
