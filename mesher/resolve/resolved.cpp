@@ -18,7 +18,7 @@ std::string same_either_way(const Resolved& ply) {
   if (ply.scene.fabric.face == FabricFace::up) return "";
   if (ply.card.yarn[0].bending_out_of_plane.is_odd() && ply.card.yarn[1].bending_out_of_plane.is_odd())
     return fmt::format(
-        "fabric.face = \"down\" changes nothing: the yarns of card '{}' bend alike with face and back outwards; give "
+        "face = \"down\" changes nothing: the yarns of card '{}' bend alike with face and back outwards; give "
         "them bending_out_of_plane_back, or leave it out",
         ply.card.name);
   const bool by_beams = model.yarn == YarnElement::beam && !model.yarn_bending;
@@ -26,7 +26,7 @@ std::string same_either_way(const Resolved& ply) {
                         !ply.card.bending.rigidity;
   if (by_beams || by_cells) return "";
   return fmt::format(
-      "fabric.face = \"down\" changes nothing: no element bends by the two laws of card '{}'; set model.yarn = "
+      "face = \"down\" changes nothing: no element bends by the two laws of card '{}'; set model.yarn = "
       "\"beam\" or model.cell = \"rotation-free\" without numbers of their own, or leave it out",
       ply.card.name);
 }

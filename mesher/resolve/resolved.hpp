@@ -45,8 +45,9 @@ struct Resolved {
 [[nodiscard]] std::string name_before(const Resolved& model, std::size_t ply);
 
 // What a resolved scene shows against itself before it is run: parts that do nothing (mesher/scene/idle.hpp), what the
-// readers of outline and tools took for granted or passed over, wanted accuracy that no
-// mesh or element serves, fabric laid face down that is the same either way, tools that never come to the blank (mesher/tools/out_of_reach.hpp). One line each, in the words of a warning.
+// readers of outline and tools took for granted or passed over, fabric laid face down that is the same either way, wanted
+// accuracy that no mesh or element serves, tools that never come to the blank (mesher/tools/out_of_reach.hpp). One line
+// each, in the words of a warning.
 [[nodiscard]] std::vector<std::string> early_warnings(const Resolved& model);
 
 // One line: how many cells, yarn elements and nodes, and at what spacing; with the coarsening that comes to where the
