@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Rates of this tree against those of another commit, on the same machine: builds the benchmark of both, runs them in
 # turn, so that a machine that grows slower slows both, and compares the medians. Ends with 1 when a rate has fallen by
-# more than the limit and by more than both scatter.
+# more than the limit and by more than both scatter. Many short rounds (a minute each) rather than few long ones: what
+# disturbs a machine lasts for seconds.
 #
 #   usage: bench/compare.sh BASE [ROUNDS] [FILTER]     (rounds: 5; filter: a regular expression of benchmark names)
 #   LIMIT in the environment: percent (5)
@@ -29,7 +30,8 @@ for ((round = 1; round <= rounds; ++round)); do
     build="$root/build"
     [[ $side == head ]] || build="$tree/build"
     # as JSON: its CSV has no place for counters that some benchmarks have and others have not
-    "$build/bin/weaveform_bench" --benchmark_filter="$filter" --benchmark_format=json 2>/dev/null |
+    "$build/bin/weaveform_bench" --benchmark_filter="$filter" --benchmark_min_time=0.1 --benchmark_format=json \
+      2>/dev/null |
       awk -F'"' -v side=$side '$2 == "name" { name = $4 }
         $2 == "cpu_time" { gsub(/[:, ]/, "", $3); print name "," side "," $3 }' >>"$folder/times.csv"
   done
