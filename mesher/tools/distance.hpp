@@ -21,7 +21,7 @@ struct Placement {
 };
 
 // Points measured at a time: a few vector registers of each quantity, all within the first cache.
-inline constexpr int points_at_a_time = 32;
+inline constexpr int points_at_a_time = 64;
 
 struct Distances {
   double distance[points_at_a_time];   // mm; from the tool's surface, negative inside

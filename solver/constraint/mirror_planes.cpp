@@ -1,9 +1,27 @@
 #include "solver/constraint/mirror_planes.hpp"
 
+#include "core/vector/vector.hpp"
+
 namespace weaveform {
+namespace {
+
+Vec3 times(const std::array<Vec3, 3>& rows, const Vec3& v) {
+  return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+}
+
+}  // namespace
 
 MirrorPlanes::MirrorPlanes(const Mesh& mesh, PackedMesh& packed)
     : plane_(mesh.symmetry.plane), on_plane_(mesh.symmetry.on_plane) {
+  for (unsigned planes = 0; planes < 1U << plane_.size(); ++planes) {
+    Reflection& rows = reflection_.emplace_back();
+    for (int d = 0; d < 3; ++d) {
+      Vec3 unit = {0.0, 0.0, 0.0};
+      unit[d] = 1.0;
+      const Vec3 column = mirrored_vector(unit, plane_, planes);
+      for (int c = 0; c < 3; ++c) rows[c][d] = column[c];
+    }
+  }
   for (auto& nodes : on_plane_)
     for (int& n : nodes) n = packed.packed_of_mesh[n];
   for (const auto& image : mesh.symmetry.image) {
@@ -18,7 +36,7 @@ void MirrorPlanes::give_forces(State& state) const {
   auto& force = state.force;
   for (const auto& image : image_) {
     const int n = image.node;
-    const auto back = mirrored_vector({force[0][n], force[1][n], force[2][n]}, plane_, image.planes);
+    const auto back = times(reflection_[image.planes], {force[0][n], force[1][n], force[2][n]});
     for (int c = 0; c < 3; ++c) {
       force[c][image.of] += back[c];
       force[c][n] = 0.0;
@@ -41,10 +59,10 @@ void MirrorPlanes::follow(State& state) const {
   auto &x = state.position, &v = state.velocity;
   for (const auto& image : image_) {
     const int of = image.of;
+    const Reflection& reflection = reflection_[image.planes];
     const auto moved =
-        mirrored_vector({x[0][of] - image.start_of[0], x[1][of] - image.start_of[1], x[2][of] - image.start_of[2]},
-                        plane_, image.planes);
-    const auto velocity = mirrored_vector({v[0][of], v[1][of], v[2][of]}, plane_, image.planes);
+        times(reflection, {x[0][of] - image.start_of[0], x[1][of] - image.start_of[1], x[2][of] - image.start_of[2]});
+    const auto velocity = times(reflection, {v[0][of], v[1][of], v[2][of]});
     for (int c = 0; c < 3; ++c) {
       x[c][image.node] = image.start[c] + moved[c];
       v[c][image.node] = velocity[c];

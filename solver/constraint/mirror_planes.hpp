@@ -29,7 +29,10 @@ private:
     std::array<double, 3> start;  // mm; of the node beyond the plane
     std::array<double, 3> start_of;
   };
+  using Reflection = std::array<Vec3, 3>;  // rows of a matrix
+
   std::vector<SymmetryPlane> plane_;
+  std::vector<Reflection> reflection_;      // by the set of planes
   std::vector<std::vector<int>> on_plane_;  // packed
   std::vector<Image> image_;
 };

@@ -9,14 +9,15 @@ void chord_turns(const ChordLattice& lattice, ChordTurns& turns) {
   chosen_chord_loops().chord_turns(lattice, turns);
 }
 
-void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const Distances& distances,
-                 double friction, ChordTerms& terms) {
-  chosen_chord_loops().chord_terms(turns, length, count, distances, friction, terms);
+void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const ContactGroups& groups,
+                 const Distances& distances, double friction, ChordTerms& terms) {
+  chosen_chord_loops().chord_terms(turns, length, count, groups, distances, friction, terms);
 }
 
 ContactSums chord_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,
-                         const ChordTerms& terms, double time, const ContactNodes& nodes, const ChordMemory& memory) {
-  return chosen_chord_loops().chord_forces(law, tool, distances, terms, time, nodes, memory);
+                         const ChordTerms& terms, double time, const ContactNodes& nodes, const ContactGroups& groups,
+                         const ChordMemory& memory) {
+  return chosen_chord_loops().chord_forces(law, tool, distances, terms, time, nodes, groups, memory);
 }
 
 }  // namespace weaveform

@@ -6,20 +6,17 @@ namespace weaveform {
 WEAVEFORM_CHOOSE_LOOPS(ContactLoops, contact_loops)
 
 ContactSums contact_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances, double time,
-                           const ContactNodes& nodes) {
+                           const ContactNodes& nodes, const ContactGroups& groups) {
   const auto& forces =
       nodes.swell == nullptr ? chosen_contact_loops().contact_forces : chosen_contact_loops().swollen_contact_forces;
-  return forces(law, tool, distances, time, nodes);
+  return forces(law, tool, distances, time, nodes, groups);
 }
 
-void reset_anchors(const ContactTool& tool, const ContactNodes& nodes) {
-  chosen_contact_loops().reset_anchors(tool, nodes);
-}
-
-double least_gap(const Distances& distances, double offset, const ContactNodes& nodes) {
-  const auto& gap =
-      nodes.swell == nullptr ? chosen_contact_loops().least_gap : chosen_contact_loops().swollen_least_gap;
-  return gap(distances, offset, nodes);
+void least_gaps(const Distances& distances, double offset, const ContactNodes& nodes, const ContactGroups& groups,
+                double (&gap)[groups_in_block]) {
+  const auto& gaps =
+      nodes.swell == nullptr ? chosen_contact_loops().least_gaps : chosen_contact_loops().swollen_least_gaps;
+  gaps(distances, offset, nodes, groups, gap);
 }
 
 double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes) {

@@ -11,7 +11,6 @@ namespace {
 constexpr double least_square = 1e-12;  // mm^2; of a chord, where there is none
 constexpr double least_kink = 1e-9;     // rad
 constexpr double steepest = 0.75;       // (t.n)^2; a chord that stands on the tool is no chord of an arc
-constexpr double no_lift = 1e29;        // mm
 
 struct Kink {
   double theta;     // rad; towards the tool positive
@@ -44,15 +43,18 @@ struct Turn {
 
 // `even`: neighbours stand at constant distances.
 template <bool even>
-void turns_of(const ChordLattice& lattice_given, int family, ChordTurns& turns) {
+[[gnu::always_inline]] inline void turns_of(const ChordLattice& lattice_given, int family, int count,
+                                            ChordTurns& turns) {
   const ChordLattice lattice = lattice_given;
   const double *x = lattice.x[0], *y = lattice.x[1], *z = lattice.x[2];
   const int *before = lattice.before[family], *after = lattice.after[family];
   const int step = family == 0 ? 1 : lattice.stride;
-  double *turn0 = turns.turn[family][0], *turn1 = turns.turn[family][1], *turn2 = turns.turn[family][2];
-  double *mean0 = turns.mean[family][0], *mean1 = turns.mean[family][1], *mean2 = turns.mean[family][2];
+  double *turn0 = turns.turn[family][0] + lattice.place, *turn1 = turns.turn[family][1] + lattice.place,
+         *turn2 = turns.turn[family][2] + lattice.place;
+  double *mean0 = turns.mean[family][0] + lattice.place, *mean1 = turns.mean[family][1] + lattice.place,
+         *mean2 = turns.mean[family][2] + lattice.place;
 #pragma omp simd
-  for (int i = 0; i < lattice.count; ++i) {
+  for (int i = 0; i < count; ++i) {
     const int here = lattice.first + i, a = even ? here - step : before[i], b = even ? here + step : after[i];
     const double back[3] = {x[here] - x[a], y[here] - y[a], z[here] - z[a]};
     const double on[3] = {x[b] - x[here], y[b] - y[here], z[b] - z[here]};
@@ -68,7 +70,12 @@ void turns_of(const ChordLattice& lattice_given, int family, ChordTurns& turns) 
 
 void chord_turns(const ChordLattice& lattice, ChordTurns& turns) {
   for (int family = 0; family < 2; ++family)
-    lattice.stride > 0 ? turns_of<true>(lattice, family, turns) : turns_of<false>(lattice, family, turns);
+    if (lattice.count < group_nodes)
+      turns_of<false>(lattice, family, lattice.count, turns);
+    else if (lattice.stride > 0)
+      turns_of<true>(lattice, family, group_nodes, turns);
+    else
+      turns_of<false>(lattice, family, group_nodes, turns);
 }
 
 [[gnu::always_inline]] inline Kink kink(const double (&c)[3], const double (&t)[3], const double (&n)[3], bool exists) {
@@ -112,12 +119,13 @@ struct Terms {
   return terms;
 }
 
-void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const Distances& distances,
-                 double mu, ChordTerms& terms) {
-  const double *warp_length = length[0], *weft_length = length[1];
+[[gnu::always_inline]] inline void group_terms(const ChordTurns& turns, const double* warp_length,
+                                               const double* weft_length, int node, int at, int lanes,
+                                               const Distances& distances, double mu, ChordTerms& terms) {
 #pragma omp simd
-  for (int i = 0; i < count; ++i) {
-    const double n[3] = {distances.normal[0][i], distances.normal[1][i], distances.normal[2][i]};
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int i = node + lane, q = at + lane;
+    const double n[3] = {distances.normal[0][q], distances.normal[1][q], distances.normal[2][q]};
     const double c1[3] = {turns.turn[0][0][i], turns.turn[0][1][i], turns.turn[0][2][i]};
     const double t1[3] = {turns.mean[0][0][i], turns.mean[0][1][i], turns.mean[0][2][i]};
     const double c2[3] = {turns.turn[1][0][i], turns.turn[1][1][i], turns.turn[1][2][i]};
@@ -125,34 +133,44 @@ void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int 
     const double length1 = warp_length[i], length2 = weft_length[i];
     const Kink warp = kink(c1, t1, n, length1 > 0.0), weft = kink(c2, t2, n, length2 > 0.0);
     const Terms mean = mean_terms(warp, weft, length1, length2, mu);
-    terms.lift[i] = mean.lift;
-    terms.friction[i] = mean.friction;
-    terms.shift[0][i] = mean.shift[0];
-    terms.shift[1][i] = mean.shift[1];
-    terms.shift[2][i] = mean.shift[2];
+    terms.lift[q] = mean.lift;
+    terms.friction[q] = mean.friction;
+    terms.shift[0][q] = mean.shift[0];
+    terms.shift[1][q] = mean.shift[1];
+    terms.shift[2][q] = mean.shift[2];
+  }
+}
+
+void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const ContactGroups& groups,
+                 const Distances& distances, double mu, ChordTerms& terms) {
+  for (int g = 0; g < groups.count; ++g) {
+    const int node = groups.node[g], at = groups.at[g];
+    if (count - node < group_nodes)
+      group_terms(turns, length[0], length[1], node, at, count - node, distances, mu, terms);
+    else
+      group_terms(turns, length[0], length[1], node, at, group_nodes, distances, mu, terms);
   }
 }
 
 struct Contribution {
-  double force[3], normal, area, energy, friction_work, damping_work;
+  double force[3], normal, area, energy, friction, damping;
 };
 
 // contact_kernel.cpp's contact_force with the cone of the header: coefficient m, its centre shifted by N a.
 [[gnu::always_inline]] inline Contribution chord_force(const ContactLaw& law, double inverse_softening, double mass,
                                                        double area, double distance, const double (&n)[3],
-                                                       const double (&d)[3], const double (&v)[3], double m,
-                                                       const double (&a)[3], double time, double (&stretch)[3],
-                                                       double (&drag)[3]) {
+                                                       const double (&v)[3], double m, const double (&a)[3],
+                                                       double time, double (&d)[3], double (&drag)[3]) {
   const double k = law.frequency2 * mass, c = law.damping_rate * mass;
-  const NormalSpring spring = normal_spring(law, law.offset, inverse_softening, k, c, distance, n, v);
+  const NormalSpring spring = normal_spring<false>(law, law.offset, inverse_softening, k, c, distance, n, v);
   const double normal = spring.force;
 
-  const double dn = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
-  const double t0 = d[0] - dn * n[0], t1 = d[1] - dn * n[1], t2 = d[2] - dn * n[2];
-  const double w0 = v[0] + spring.approach * n[0], w1 = v[1] + spring.approach * n[1],
-               w2 = v[2] + spring.approach * n[2];
+  double t[3], w[3];
+  take_normal<false>(d, along<false>(d, n), n, t);
+  take_normal<false>(v, -spring.approach, n, w);
   const double centre0 = normal * a[0], centre1 = normal * a[1], centre2 = normal * a[2];
-  const double q0 = -(k * t0 + c * w0) - centre0, q1 = -(k * t1 + c * w1) - centre1, q2 = -(k * t2 + c * w2) - centre2;
+  const double q0 = -(k * t[0] + c * w[0]) - centre0, q1 = -(k * t[1] + c * w[1]) - centre1,
+               q2 = -(k * t[2] + c * w[2]) - centre2;
   const double a2 = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], cosine2 = 1.0 / (1.0 + a2), cosine = std::sqrt(cosine2);
   const double q_a = q0 * a[0] + q1 * a[1] + q2 * a[2];
   const double across = q0 * q0 + q1 * q1 + q2 * q2 - q_a * q_a * cosine2;
@@ -160,16 +178,18 @@ struct Contribution {
                limit = m * normal * (1.0 + a2) * cosine;
   const double cut = size > limit ? limit / size : 1.0;
   const double shifted = (1.0 - cut) / (k > 0.0 ? k : 1.0);
-  stretch[0] = cut * t0 - shifted * centre0;
-  stretch[1] = cut * t1 - shifted * centre1;
-  stretch[2] = cut * t2 - shifted * centre2;
+  const double stretch[3] = {cut * t[0] - shifted * centre0, cut * t[1] - shifted * centre1,
+                             cut * t[2] - shifted * centre2};
   // of the spring's forces before and now over the slip: mJ doubled, by k
-  const double slip = (t0 - time * w0 + stretch[0]) * (t0 - stretch[0]) +
-                      (t1 - time * w1 + stretch[1]) * (t1 - stretch[1]) +
-                      (t2 - time * w2 + stretch[2]) * (t2 - stretch[2]);
+  const double slip = (t[0] - time * w[0] + stretch[0]) * (t[0] - stretch[0]) +
+                      (t[1] - time * w[1] + stretch[1]) * (t[1] - stretch[1]) +
+                      (t[2] - time * w[2] + stretch[2]) * (t[2] - stretch[2]);
   const double kept = stretch[0] * stretch[0] + stretch[1] * stretch[1] + stretch[2] * stretch[2];
+  d[0] = stretch[0];
+  d[1] = stretch[1];
+  d[2] = stretch[2];
 
-  const DragPower power = advance_drag(spring, cut * c, n, w0, w1, w2, drag);
+  const DragPower power = advance_drag<false>(spring, cut * c, n, w, drag);
   Contribution out;
   out.force[0] = normal * n[0] + centre0 + cut * q0;
   out.force[1] = normal * n[1] + centre1 + cut * q1;
@@ -177,50 +197,75 @@ struct Contribution {
   out.normal = spring.elastic;
   out.area = spring.depth > 0.0 ? area : 0.0;
   out.energy = spring.stored + 0.5 * k * kept;
-  out.friction_work = 0.5 * k * slip - 0.5 * time * power.tangential;
-  out.damping_work = 0.5 * time * power.normal;
+  out.friction = k * slip - time * power.tangential;
+  out.damping = power.normal;
   return out;
+}
+
+// What the nodes of one group have in common.
+struct KinkedGroup {
+  const ContactLaw& law;
+  const ContactTool& tool;
+  const Distances& distances;
+  const ChordTerms& terms;
+  double inverse_softening, time;
+};
+
+// `lift_work`, mJ doubled, by lane.
+[[gnu::always_inline]] inline void group_forces(const KinkedGroup& group, const ContactNodes& nodes,
+                                                const ChordMemory& memory, int node, int at, int lanes,
+                                                ContactLanes& sums, double (&lift_work)[group_nodes]) {
+  const ContactLaw& law = group.law;
+  const ContactTool& tool = group.tool;
+#pragma omp simd
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int i = node + lane, q = at + lane;
+    const double n[3] = {group.distances.normal[0][q], group.distances.normal[1][q], group.distances.normal[2][q]};
+    const double y[3] = {nodes.x[0][i] - tool.origin[0], nodes.x[1][i] - tool.origin[1],
+                         nodes.x[2][i] - tool.origin[2]};
+    const double v[3] = {nodes.v[0][i] - tool.velocity[0], nodes.v[1][i] - tool.velocity[1],
+                         nodes.v[2][i] - tool.velocity[2]};
+    const double a[3] = {group.terms.shift[0][q], group.terms.shift[1][q], group.terms.shift[2][q]};
+    const bool touched = nodes.anchor[0][i] < no_anchor;
+    double d[3], drag[3] = {nodes.drag[0][i], nodes.drag[1][i], nodes.drag[2][i]};
+    stretch_before(nodes, i, y, d);
+    const double distance = group.distances.distance[q], lift = group.terms.lift[q];
+    const Contribution c = chord_force(law, group.inverse_softening, nodes.mass[i], nodes.area[i], distance, n, v,
+                                       group.terms.friction[q], a, group.time, d, drag);
+    lift_work[lane] += touched ? (memory.normal[i] + c.normal) * (lift - memory.lift[i]) : 0.0;
+    memory.lift[i] = lift;
+    memory.normal[i] = c.normal;
+    keep_contact(nodes, i, distance < law.offset, y, d, drag, c.force);
+    sums.force[0][lane] += c.force[0];
+    sums.force[1][lane] += c.force[1];
+    sums.force[2][lane] += c.force[2];
+    sums.area[lane] += c.area;
+    sums.energy[lane] += c.energy;
+    sums.friction[lane] += c.friction;
+    sums.damping[lane] += c.damping;
+  }
 }
 
 ContactSums chord_forces(const ContactLaw& law_given, const ContactTool& tool_given, const Distances& distances,
                          const ChordTerms& terms, double time, const ContactNodes& nodes_given,
-                         const ChordMemory& memory_given) {
+                         const ContactGroups& groups, const ChordMemory& memory_given) {
   const ContactLaw law = law_given;
   const ContactTool tool = tool_given;
   const ContactNodes nodes = nodes_given;
   const ChordMemory memory = memory_given;
-  const double inverse = 1.0 / law.softening;
-  double fx = 0.0, fy = 0.0, fz = 0.0, area = 0.0, energy = 0.0, friction_work = 0.0, damping_work = 0.0;
-#pragma omp simd reduction(+ : fx, fy, fz, area, energy, friction_work, damping_work)
-  for (int i = 0; i < nodes.count; ++i) {
-    const double n[3] = {distances.normal[0][i], distances.normal[1][i], distances.normal[2][i]};
-    const double y[3] = {nodes.x[0][i] - tool.origin[0], nodes.x[1][i] - tool.origin[1],
-                         nodes.x[2][i] - tool.origin[2]};
-    const double d[3] = {y[0] - nodes.anchor[0][i], y[1] - nodes.anchor[1][i], y[2] - nodes.anchor[2][i]};
-    const double v[3] = {nodes.v[0][i] - tool.velocity[0], nodes.v[1][i] - tool.velocity[1],
-                         nodes.v[2][i] - tool.velocity[2]};
-    const double a[3] = {terms.shift[0][i], terms.shift[1][i], terms.shift[2][i]};
-    double stretch[3], drag[3] = {nodes.drag[0][i], nodes.drag[1][i], nodes.drag[2][i]};
-    const Contribution c = chord_force(law, inverse, nodes.mass[i], nodes.area[i], distances.distance[i], n, d, v,
-                                       terms.friction[i], a, time, stretch, drag);
-    const double lift_before = memory.lift[i], lifted = lift_before < no_lift ? terms.lift[i] - lift_before : 0.0;
-    const double lift_work = 0.5 * (memory.normal[i] + c.normal) * lifted;
-    memory.lift[i] = terms.lift[i];
-    memory.normal[i] = c.normal;
-    keep_contact(nodes, i, y, stretch, drag, c.force);
-    fx += c.force[0];
-    fy += c.force[1];
-    fz += c.force[2];
-    area += c.area;
-    energy += c.energy;
-    friction_work += c.friction_work;
-    damping_work += c.damping_work - lift_work;
+  const KinkedGroup group = {law, tool, distances, terms, 1.0 / law.softening, time};
+  ContactLanes sums{};
+  double lift_work[group_nodes] = {};
+  for (int g = 0; g < groups.count; ++g) {
+    const int node = groups.node[g], at = groups.at[g];
+    if (nodes.count - node < group_nodes)
+      group_forces(group, nodes, memory, node, at, nodes.count - node, sums, lift_work);
+    else
+      group_forces(group, nodes, memory, node, at, group_nodes, sums, lift_work);
   }
-  return {.force = {fx, fy, fz},
-          .area = area,
-          .energy = energy,
-          .friction_work = friction_work,
-          .damping_work = damping_work};
+  ContactSums total = sums.total(time);
+  for (const double work : lift_work) total.damping_work -= 0.5 * work;
+  return total;
 }
 
 }  // namespace

@@ -31,10 +31,11 @@
 
 namespace weaveform {
 
-// A block's nodes in the lattice; `x` are positions of all packed nodes, the rest arrays of `count` entries.
+// A group's nodes in the lattice; `x` are positions of all packed nodes, the rest arrays of `count` entries.
 struct ChordLattice {
   int count;
-  int first;                        // packed index of the block's first node
+  int first;                        // packed index of the group's first node
+  int place;                        // where the block's turns have it
   int stride;                       // > 0: neighbours along the warp are those beside, along the weft so far off
   const double* x[3];               // mm
   const int *before[2], *after[2];  // packed index along warp and weft; the node itself where there is none
@@ -47,24 +48,24 @@ struct ChordTurns {
 };
 void chord_turns(const ChordLattice& lattice, ChordTurns& turns);
 
-// What the kinks of a block's nodes mean at one tool.
+// What the kinks of a block's nodes mean at one tool; each group's stand where its distances do.
 struct ChordTerms {
   double lift[points_at_a_time];      // mm
   double friction[points_at_a_time];  // 1; m
   double shift[3][points_at_a_time];  // 1; a
 };
-// `length`: per family and node, mm; h_f, 0 where one of both chords is missing.
-void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const Distances& distances,
-                 double friction, ChordTerms& terms);
+// `length`: per family and node of the block, of which there are `count`, mm; h_f, 0 where one of both chords is missing.
+void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const ContactGroups& groups,
+                 const Distances& distances, double friction, ChordTerms& terms);
 
-// Of the step before: lift (mm; 1e30: there was none) and normal force (N); then those of now.
+// Of the step before: lift (mm) and normal force (N), of nodes that touched; then those of now.
 struct ChordMemory {
   double *lift, *normal;
 };
 // As contact_forces, with distances from which the lift is taken off already.
 [[nodiscard]] ContactSums chord_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,
                                        const ChordTerms& terms, double time, const ContactNodes& nodes,
-                                       const ChordMemory& memory);
+                                       const ContactGroups& groups, const ChordMemory& memory);
 
 // One compilation of the functions above (core/instructions/choose_loops.hpp).
 struct ChordLoops {

@@ -51,24 +51,23 @@ Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start,
   if (ply.curved_after) curved_.emplace(mesh, packed, *ply.curved_after);
   for (std::size_t t = 0; t < tools.tools().size(); ++t) {
     const Tool& tool = tools.tools()[t].tool;
-    touch_.push_back(make_touch(tool, own != nullptr ? (*own)[t].offset : tool.offset, start));
+    touch_.push_back(make_touch(tool, own != nullptr ? (*own)[t].offset : tool.offset));
   }
   loads_.resize(touch_.size());
   refuse_penetration(start);
 }
 
-Contact::Touch Contact::make_touch(const Tool& tool, double offset, const State& start) const {
+Contact::Touch Contact::make_touch(const Tool& tool, double offset) const {
   Touch touch;
   touch.law = {.offset = offset,
                .softening = contact_softening * thickness_,
                .frequency2 = frequency_ * frequency_,
                .damping_rate = 2.0 * contact_damping * frequency_,
                .friction = tool.friction};
-  touch.anchor = start.position;
+  for (auto& component : touch.anchor) component.assign(packed_.nodes, no_anchor);
   for (auto& component : touch.drag) component.assign(packed_.nodes, 0.0);
-  for (int c = 0; c < 3; ++c)
-    for (double& value : touch.anchor[c]) value -= tool.start.origin[c];
-  touch.clearance.assign(block_count(), 0.0);
+  touch.clearance.assign(group_count(), 0.0);
+  touch.held.assign(group_count(), 0);
   touch.measured.assign(block_count(), 0);
   touch.sums.resize(block_count());
   touch.depth.assign(block_count(), 0.0);
@@ -82,6 +81,10 @@ Contact::Touch Contact::make_touch(const Tool& tool, double offset, const State&
       if (mass_[n] == 0.0 && area_[n] == 0.0) touch.far[n] = 1e30;
   }
   return touch;
+}
+
+int Contact::group_count() const {
+  return (packed_.nodes + group_nodes - 1) / group_nodes;
 }
 
 int Contact::block_count() const {
@@ -150,80 +153,131 @@ ContactNodes Contact::block_nodes(int block, Touch& touch, State& state) const {
 // A closest triangle is dear, a point far from it most of all. A distance changes by no more than point and tool move,
 // so that most points need no new one: they get a lower bound, which contact, seeing no touch, takes for the distance.
 void Contact::triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
-                                 Distances& distances) const {
+                                 const ContactGroups& groups, Distances& distances) const {
   constexpr double rounding = 1e-9;  // mm
   const double near = rounding + (curved_ ? curved_->greatest_lift() : 0.0);
-  for (int n = 0; n < nodes.count; ++n) {
-    const int node = first + n;
+  for (int q = 0; q < groups.count * group_nodes; ++q) {
+    const int n = groups.node[q / group_nodes] + q % group_nodes, node = first + n;
+    if (n >= nodes.count) break;
     const Vec3 moved = {nodes.x[0][n] - touch.measured_at[0][node], nodes.x[1][n] - touch.measured_at[1][node],
                         nodes.x[2][n] - touch.measured_at[2][node]};
     const double bound =
         touch.far[node] - tool.way - std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
     if (bound > offset_at(touch, node) + near) {
-      distances.distance[n] = bound;
-      for (int c = 0; c < 3; ++c) distances.normal[c][n] = c == 2 ? 1.0 : 0.0;
+      distances.distance[q] = bound;
+      for (int c = 0; c < 3; ++c) distances.normal[c][q] = c == 2 ? 1.0 : 0.0;
       continue;
     }
     Distances one;
     tool_distances(tool.tool, tool.place(), {nodes.x[0] + n, nodes.x[1] + n, nodes.x[2] + n}, 1, &touch.hint[node],
                    one);
-    distances.distance[n] = one.distance[0];
+    distances.distance[q] = one.distance[0];
     for (int c = 0; c < 3; ++c) {
-      distances.normal[c][n] = one.normal[c][0];
+      distances.normal[c][q] = one.normal[c][0];
       touch.measured_at[c][node] = nodes.x[c][n];
     }
     touch.far[node] = one.distance[0] + tool.way;
   }
 }
 
-// Touches only the block's own nodes and entries, so that blocks can be treated side by side.
-void Contact::treat_block(int block, State& state, double step) {
+// The groups whose clearance may be used up.
+ContactGroups Contact::near_groups(Touch& touch, const MovingTool& tool, int first, const ContactNodes& nodes,
+                                   double step, Common& common) const {
   constexpr double rounding = 1.0 + 1e-9;  // of speeds, ways and times
-  double speed = -1.0;                     // mm/s; greatest of the block's nodes, measured when wanted
-  ChordTurns turns;                        // likewise
-  bool turned = false;
-  for (std::size_t k = 0; k < touch_.size(); ++k) {
-    Touch& touch = touch_[k];
-    const MovingTool& moving = tools_.tools()[k];
-    const ContactNodes nodes = block_nodes(block, touch, state);
-    double& clearance = touch.clearance[block];
-    const ContactTool tool = moving.contact_tool();
-    const bool was_clear = clearance > 0.0;  // at the step before: no node stuck to the tool
-    if (was_clear) {
-      if (speed < 0.0) speed = greatest_speed({0.0, 0.0, 0.0}, nodes);
-      clearance -= (speed * step + std::abs(moving.motion.state().way)) * rounding;
+  ContactGroups near;
+  for (int n = 0; n < nodes.count; n += group_nodes) {
+    double& clearance = touch.clearance[(first + n) / group_nodes];
+    if (clearance > 0.0) {
+      if (common.speed < 0.0) common.speed = greatest_speed({0.0, 0.0, 0.0}, nodes);
+      clearance -= (common.speed * step + std::abs(tool.motion.state().way)) * rounding;
       if (sheared_ != nullptr) clearance -= touch.law.offset * sheared_->greatest_rise() * rounding;
     }
-    touch.measured[block] = 0;
-    if (clearance > 0.0) continue;
-    Distances distances;
-    if (touch.hint.empty())
-      tool_distances(moving.tool, moving.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, nullptr,
-                     distances);
-    else
-      triangle_distances(touch, moving, nodes, block * points_at_a_time, distances);
-    double gap = least_gap(distances, touch.law.offset, nodes);
-    if (was_clear) reset_anchors(tool, nodes);
-    ChordTerms terms;
-    const int first = block * points_at_a_time;
-    if (curved_) {
-      if (was_clear) CurvedContact::forget(touch.curved, first, nodes.count);
-      clearance = std::max(gap - curved_->greatest_lift(), 0.0);
-      if (clearance > 0.0) continue;
-      if (!turned) curved_->find_turns(state, first, nodes.count, turns);
-      turned = true;
-      curved_->lift_block(turns, state.time, first, nodes.count, touch.law.friction, distances, terms);
-      gap = least_gap(distances, touch.law.offset, nodes);
-    } else {
-      clearance = std::max(gap, 0.0);
-      if (gap > 0.0) continue;
-    }
-    touch.depth[block] = std::max(-gap, 0.0);
-    touch.sums[block] = curved_ ? chord_forces(touch.law, tool, distances, terms, step, nodes,
-                                               {touch.curved.lift.data() + first, touch.curved.normal.data() + first})
-                                : contact_forces(touch.law, tool, distances, step, nodes);
-    touch.measured[block] = 1;
+    if (clearance <= 0.0) near.add(n, near.count * group_nodes);
   }
+  return near;
+}
+
+void Contact::measure(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
+                      const ContactGroups& groups, Distances& distances) const {
+  if (!touch.hint.empty()) return triangle_distances(touch, tool, nodes, first, groups, distances);
+  double x[3][points_at_a_time];
+  int count = 0;
+  for (int g = 0; g < groups.count; ++g) {
+    const int from = groups.node[g], lanes = std::min(group_nodes, nodes.count - from);
+    for (int c = 0; c < 3; ++c) {
+      if (lanes == group_nodes)  // so that it is a vector's move
+        std::copy_n(nodes.x[c] + from, group_nodes, x[c] + count);
+      else
+        std::copy_n(nodes.x[c] + from, lanes, x[c] + count);
+    }
+    count += lanes;
+  }
+  tool_distances(tool.tool, tool.place(), {x[0], x[1], x[2]}, count, nullptr, distances);
+}
+
+// Those that touch or did so at the step before; `lift` (mm) may yet bring the tool nearer.
+void Contact::keep_touching(const Touch& touch, int first, double (&gap)[groups_in_block], double lift,
+                            ContactGroups& groups) {
+  ContactGroups touching;
+  for (int g = 0; g < groups.count; ++g) {
+    if (gap[g] > lift && touch.held[(first + groups.node[g]) / group_nodes] == 0) continue;
+    gap[touching.count] = gap[g];
+    touching.add(groups.node[g], groups.at[g]);
+  }
+  groups = touching;
+}
+
+void Contact::lift(const Touch& touch, const State& state, int first, int count, const ContactGroups& groups,
+                   Common& common, Distances& distances, ChordTerms& terms) const {
+  for (int g = 0; g < groups.count; ++g) {
+    const int n = groups.node[g];
+    if ((common.turned >> (n / group_nodes) & 1U) == 0)
+      curved_->find_turns(state, first + n, std::min(group_nodes, count - n), n, common.turns);
+    common.turned |= 1U << (n / group_nodes);
+  }
+  curved_->lift_groups(common.turns, state.time, first, count, groups, touch.law.friction, distances, terms);
+}
+
+// Touches only the block's own nodes and entries, so that blocks can be treated side by side.
+void Contact::treat_block(int block, State& state, double step) {
+  Common common;
+  for (std::size_t tool = 0; tool < touch_.size(); ++tool) treat_tool(tool, block, state, step, common);
+}
+
+void Contact::treat_tool(std::size_t number, int block, State& state, double step, Common& common) {
+  const int first = block * points_at_a_time;
+  Touch& touch = touch_[number];
+  const MovingTool& moving = tools_.tools()[number];
+  const ContactNodes nodes = block_nodes(block, touch, state);
+  touch.measured[block] = 0;
+  ContactGroups near = near_groups(touch, moving, first, nodes, step, common);
+  if (near.count == 0) return;
+  Distances distances;
+  ChordTerms terms;
+  double gap[groups_in_block];  // mm
+  measure(touch, moving, nodes, first, near, distances);
+  least_gaps(distances, touch.law.offset, nodes, near, gap);
+  const double greatest_lift = curved_ ? curved_->greatest_lift() : 0.0;
+  for (int g = 0; g < near.count; ++g)
+    touch.clearance[(first + near.node[g]) / group_nodes] = std::max(gap[g] - greatest_lift, 0.0);
+  keep_touching(touch, first, gap, greatest_lift, near);
+  if (near.count == 0) return;
+  if (curved_) {
+    lift(touch, state, first, nodes.count, near, common, distances, terms);
+    least_gaps(distances, touch.law.offset, nodes, near, gap);
+    keep_touching(touch, first, gap, 0.0, near);
+    if (near.count == 0) return;
+  }
+  touch.depth[block] = 0.0;
+  for (int g = 0; g < near.count; ++g) {
+    touch.held[(first + near.node[g]) / group_nodes] = gap[g] < 0.0 ? 1 : 0;
+    touch.depth[block] = std::max(touch.depth[block], -gap[g]);
+  }
+  const ContactTool tool = moving.contact_tool();
+  touch.sums[block] = curved_ ? chord_forces(touch.law, tool, distances, terms, step, nodes, near,
+                                             {touch.curved.lift.data() + first, touch.curved.normal.data() + first})
+                              : contact_forces(touch.law, tool, distances, step, nodes, near);
+  touch.measured[block] = 1;
 }
 
 // Before the first step nothing has moved, though a perturbation may have displaced nodes: nothing is lost.
@@ -253,7 +307,7 @@ void Contact::check(std::size_t number, const State& state) const {
     int hint = 0;
     tool_distances(moving.tool, moving.place(), {&state.position[0][n], &state.position[1][n], &state.position[2][n]},
                    1, &hint, found);
-    const double lift = curved_ ? CurvedContact::last_lift(touch_[number].curved, n) : 0.0;
+    const double lift = curved_ ? touch_[number].curved.lift[n] : 0.0;
     if (mass_[n] == 0.0 || offset_at(touch_[number], n) + lift - found.distance[0] < deepest * (1.0 - 1e-9)) continue;
     throw PhysicsError(fmt::format(
         "at t = {:.4g} s, step {}: node {} at ({:.6g}, {:.6g}, {:.6g}) mm has gone {:.4g} mm into tool '{}', more than "
@@ -299,12 +353,19 @@ void Contact::add_swollen_bound(const std::vector<Vec3>& position, double rate, 
   add_packed_bound(mesh_, packed_, sum, bound);
 }
 
+void Contact::find_held(Touch& touch) const {
+  std::fill(touch.held.begin(), touch.held.end(), 0);
+  for (int n = 0; n < packed_.nodes; ++n)
+    if (mass_[n] > 0.0 && touch.anchor[0][n] < no_anchor) touch.held[n / group_nodes] = 1;
+}
+
+// Clearances are found anew: what touches is all that has forces.
 void Contact::archive(Archive& archive) {
   for (std::size_t k = 0; k < touch_.size(); ++k) {
     Touch& touch = touch_[k];
     for (auto& component : touch.anchor) archive.numbers("an anchor", component);
     for (auto& component : touch.drag) archive.numbers("a contact's drag", component);
-    archive.numbers("a clearance", touch.clearance, infinite_too);
+    find_held(touch);
     archive_load(archive, loads_[k]);
     if (curved_) CurvedContact::archive(touch.curved, archive);
     if (touch.hint.empty()) continue;

@@ -4,12 +4,14 @@
 // that k is a fixed part of m/step^2: stiff enough for penetrations of a few per cent of the thickness, yet together
 // with its damping worth only some per cent of the step (add_stiffness_bound says exactly how much).
 //
-// Culling. Nodes go in blocks; for each block and tool a clearance is kept that the block cannot have used up yet: the
-// least gap when last measured less the greatest way of its nodes and of the tool since. A distance changes no faster
-// than points move, so a block with clearance left touches nothing, and nothing more is computed.
+// Culling. Nodes go in groups of a vector's width; for each group and tool a clearance is kept that the group cannot have
+// used up yet: the least gap when last measured less the greatest way of its nodes and of the tool since. A distance
+// changes no faster than points move, so a group with clearance left touches nothing, and nothing more is computed; of
+// those whose distances are, only what touches or did so at the step before has forces. Groups go in blocks, which
+// threads share.
 //
 // A ply that thickens as it shears (model.contact_thickness, sheared_thickness.hpp) has its faces w times as far from its
-// middle plane, and blocks have less clearance by what w has grown.
+// middle plane, and groups have less clearance by what w has grown.
 //
 // Blocks are summed in order: the same bits for any number of threads.
 #pragma once
@@ -69,7 +71,8 @@ private:
     ContactLaw law;
     Components anchor;              // mm; tool's frame
     Components drag;                // N; of the dampers, at the last step
-    std::vector<double> clearance;  // mm; per block, > 0 where nothing can touch
+    std::vector<double> clearance;  // mm; per group, > 0 where nothing can touch
+    std::vector<char> held;         // per group: a node touched in the last add_forces
     std::vector<char> measured;     // per block, in the last add_forces
     std::vector<ContactSums> sums;  // per block, valid where measured
     std::vector<double> depth;      // mm; per block, greatest penetration, valid where measured
@@ -78,14 +81,31 @@ private:
     Doubles far;                    // mm; that distance plus the tool's way so far then (-inf: never)
     CurvedContact::Memory curved;   // empty without
   };
-  [[nodiscard]] Touch make_touch(const Tool& tool, double offset, const State& start) const;
+  [[nodiscard]] Touch make_touch(const Tool& tool, double offset) const;
   void refuse_penetration(const State& start) const;
+  void find_held(Touch& touch) const;
+  // What a block's nodes have in common for all tools, found when the first one wants it.
+  struct Common {
+    double speed = -1.0;  // mm/s; greatest of its nodes
+    ChordTurns turns;     // of the groups
+    unsigned turned = 0;  // that have this bit
+  };
   void treat_block(int block, State& state, double step);
+  void treat_tool(std::size_t tool, int block, State& state, double step, Common& common);
+  ContactGroups near_groups(Touch& touch, const MovingTool& tool, int first, const ContactNodes& nodes, double step,
+                            Common& common) const;
+  void measure(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first, const ContactGroups& groups,
+               Distances& distances) const;
+  static void keep_touching(const Touch& touch, int first, double (&gap)[groups_in_block], double lift,
+                            ContactGroups& groups);
+  void lift(const Touch& touch, const State& state, int first, int count, const ContactGroups& groups, Common& common,
+            Distances& distances, ChordTerms& terms) const;
   void triangle_distances(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
-                          Distances& distances) const;
+                          const ContactGroups& groups, Distances& distances) const;
   static void sum_blocks(const Touch& touch, bool moved, ToolLoad& load);
   void check(std::size_t tool, const State& state) const;
   [[nodiscard]] ContactNodes block_nodes(int block, Touch& touch, State& state) const;
+  [[nodiscard]] int group_count() const;
   [[nodiscard]] int block_count() const;
   void add_swollen_bound(const std::vector<Vec3>& position, double rate, std::vector<double>& bound) const;
   [[nodiscard]] double offset_at(const Touch& touch, int packed) const {  // mm

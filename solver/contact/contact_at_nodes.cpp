@@ -25,7 +25,7 @@ NodeContact node_contact(const ContactLaw& law, const ContactTool& tool, const D
     node.anchor[c] = &anchor[c];
     node.drag[c] = &drag[c];
   }
-  (void)contact_forces(law, tool, found, 0.0, node);
+  (void)contact_forces(law, tool, found, 0.0, node, single_node);
   double normal = 0.0, tangential_square = 0.0;
   for (int c = 0; c < 3; ++c) normal += force[c] * found.normal[c][0];
   if (normal <= 0.0) return {};
@@ -44,7 +44,7 @@ NodeContact curved_node_contact(const ContactLaw& law, const ContactTool& tool, 
     node.anchor[c] = &anchor[c];
     node.drag[c] = &drag[c];
   }
-  (void)chord_forces(law, tool, found, terms, 0.0, node, {&lift, &pressed});
+  (void)chord_forces(law, tool, found, terms, 0.0, node, single_node, {&lift, &pressed});
   double normal = 0.0, shift2 = 0.0, q2 = 0.0, along = 0.0;
   for (int c = 0; c < 3; ++c) normal += force[c] * found.normal[c][0];
   if (normal <= 0.0) return {};
@@ -94,8 +94,8 @@ ContactState Contact::contact_state(const State& state) const {
       ChordTerms terms;
       if (curved_) {
         ChordTurns turns;
-        curved_->find_turns(state, n, 1, turns);
-        curved_->lift_block(turns, state.time, n, 1, touch.law.friction, found, terms);
+        curved_->find_turns(state, n, 1, 0, turns);
+        curved_->lift_groups(turns, state.time, n, 1, single_node, touch.law.friction, found, terms);
       }
       const double here = found.distance[0] - offset_at(touch, n);
       gap = std::min(gap, here);

@@ -1,4 +1,4 @@
-// The contact law between a fabric node and a tool, for the nodes of one block.
+// The contact law between a fabric node and a tool, for groups of nodes.
 //
 // With the penetration p = offset - distance, the node's contact stiffness k = omega^2 m and the softening depth d:
 //   normal    N = k p^2/(2d) for p < d, k (p - d/2) beyond: smooth at touch; plus damping c min(p/d, 1) of the approach
@@ -11,6 +11,8 @@
 // half the way made before it and half the way after, so that over a way d between two steps every force does the work
 // (F_before + F_now)/2 . d; counted so, losses leave the energy balance no error of the step's first order (where
 // a dome lets a fabric go it was 1.3 % of the energy).
+//
+// A node's spring begins where it touches: one that did not touch at the step before has no anchor and no drag.
 //
 // Where the fabric thickens as it shears (sheared_thickness.hpp) its face is w times as far from the middle plane, and
 // the springs' force times that offset is what the thickness takes: dE/dw. Dampers act on the approach of the tool alone.
@@ -40,6 +42,8 @@ struct ContactTool {
   std::array<double, 3> velocity;  // mm/s; over the step just made
 };
 
+inline constexpr double no_anchor = 1e30;  // mm; anchor[0] of a node that does not touch
+
 // The nodes of a block; arrays of `count` entries.
 struct ContactNodes {
   int count;
@@ -48,13 +52,27 @@ struct ContactNodes {
   const double* x[3];             // mm
   const double* v[3];             // mm/s; half a step behind
   double* force[3];               // N; added to
-  double* anchor[3];              // mm; in the tool's frame (world axes, tool's origin)
+  double* anchor[3];              // mm; in the tool's frame (world axes, tool's origin); or no_anchor
   double* drag[3];                // N; of both dampers on the node: at the step before, and then now
   const double* swell = nullptr;  // 1; w; none: 1
   double* load = nullptr;         // N mm; with `swell`: dE/dw, added to
 };
 
-// Sums over a block.
+// Some of a block's nodes, a vector of them at a time (fewer where the block ends): group g has the nodes from node[g]
+// on, and its distances stand from at[g] on.
+inline constexpr int group_nodes = 8, groups_in_block = points_at_a_time / group_nodes;
+struct ContactGroups {
+  int count = 0;
+  int node[groups_in_block], at[groups_in_block];
+  void add(int first_node, int first_distance) {
+    node[count] = first_node;
+    at[count++] = first_distance;
+  }
+};
+
+inline constexpr ContactGroups single_node = {.count = 1, .node = {0}, .at = {0}};
+
+// Sums over groups.
 struct ContactSums {
   double force[3] = {0.0, 0.0, 0.0};  // N; of the tool on the fabric
   double area = 0.0;                  // mm^2; of the nodes that touch
@@ -65,13 +83,11 @@ struct ContactSums {
 
 // `time` is the length of the step just made (s).
 [[nodiscard]] ContactSums contact_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,
-                                         double time, const ContactNodes& nodes);
+                                         double time, const ContactNodes& nodes, const ContactGroups& groups);
 
-// Puts the anchors where the nodes are: no stretch, and no drag.
-void reset_anchors(const ContactTool& tool, const ContactNodes& nodes);
-
-// mm; least distance - offset w of the nodes that exist.
-[[nodiscard]] double least_gap(const Distances& distances, double offset, const ContactNodes& nodes);
+// mm; of each group the least distance - offset w of the nodes that exist.
+void least_gaps(const Distances& distances, double offset, const ContactNodes& nodes, const ContactGroups& groups,
+                double (&gap)[groups_in_block]);
 
 // mm/s; greatest |v - reference| of the nodes that exist.
 [[nodiscard]] double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes);
@@ -79,8 +95,7 @@ void reset_anchors(const ContactTool& tool, const ContactNodes& nodes);
 // One compilation of the functions above (core/instructions/choose_loops.hpp).
 struct ContactLoops {
   decltype(&weaveform::contact_forces) contact_forces, swollen_contact_forces;
-  decltype(&weaveform::reset_anchors) reset_anchors;
-  decltype(&weaveform::least_gap) least_gap, swollen_least_gap;
+  decltype(&weaveform::least_gaps) least_gaps, swollen_least_gaps;
   decltype(&weaveform::greatest_speed) greatest_speed;
 };
 

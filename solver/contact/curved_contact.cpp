@@ -8,7 +8,6 @@
 namespace weaveform {
 namespace {
 
-constexpr double never_lifted = 1e30;  // mm
 constexpr double greatest_kink = 2.5;  // rad; as chord_kernel.cpp has the kink of chords that lie on each other
 constexpr double per_kink_and_length = 1.0 / 24.0;
 
@@ -42,8 +41,8 @@ CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed, double 
       length_[f][n] = 0.5 * (length_before[f][n] + length_after[f][n]);
       greatest_lift_ = std::max(greatest_lift_, length_[f][n] * greatest_kink * per_kink_and_length);
     }
-  for (int first = 0; first < packed.nodes; first += points_at_a_time) {
-    const int last = std::min(first + points_at_a_time, packed.nodes);
+  for (int first = 0; first < packed.nodes; first += group_nodes) {
+    const int last = std::min(first + group_nodes, packed.nodes);
     bool even = first >= packed.stride && last + packed.stride <= packed.nodes;
     for (int n = first; n < last && even; ++n)
       for (int f = 0; f < 2; ++f) {
@@ -55,16 +54,7 @@ CurvedContact::CurvedContact(const Mesh& mesh, const PackedMesh& packed, double 
 }
 
 CurvedContact::Memory CurvedContact::new_memory() const {
-  return {Doubles(before_[0].size(), never_lifted), Doubles(before_[0].size(), 0.0)};
-}
-
-void CurvedContact::forget(Memory& memory, int first, int count) {
-  std::fill_n(memory.lift.begin() + first, count, never_lifted);
-  std::fill_n(memory.normal.begin() + first, count, 0.0);
-}
-
-double CurvedContact::last_lift(const Memory& memory, int node) {
-  return memory.lift[node] < never_lifted ? memory.lift[node] : 0.0;
+  return {Doubles(before_[0].size(), 0.0), Doubles(before_[0].size(), 0.0)};
 }
 
 void CurvedContact::archive(Memory& memory, Archive& archive) {
@@ -72,11 +62,12 @@ void CurvedContact::archive(Memory& memory, Archive& archive) {
   archive.numbers("a contact's normal force", memory.normal);
 }
 
-void CurvedContact::find_turns(const State& state, int first, int count, ChordTurns& turns) const {
+void CurvedContact::find_turns(const State& state, int first, int count, int place, ChordTurns& turns) const {
   ChordLattice lattice{};
   lattice.count = count;
   lattice.first = first;
-  lattice.stride = even_[first / points_at_a_time] != 0 ? stride_ : 0;
+  lattice.place = place;
+  lattice.stride = even_[first / group_nodes] != 0 ? stride_ : 0;
   for (int c = 0; c < 3; ++c) lattice.x[c] = state.position[c].data();
   for (int f = 0; f < 2; ++f) {
     lattice.before[f] = before_[f].data() + first;
@@ -85,14 +76,15 @@ void CurvedContact::find_turns(const State& state, int first, int count, ChordTu
   chord_turns(lattice, turns);
 }
 
-void CurvedContact::lift_block(const ChordTurns& turns, double time, int first, int count, double friction,
-                               Distances& distances, ChordTerms& terms) const {
-  chord_terms(turns, {length_[0].data() + first, length_[1].data() + first}, count, distances, friction, terms);
+void CurvedContact::lift_groups(const ChordTurns& turns, double time, int first, int count, const ContactGroups& groups,
+                                double friction, Distances& distances, ChordTerms& terms) const {
+  chord_terms(turns, {length_[0].data() + first, length_[1].data() + first}, count, groups, distances, friction, terms);
   const double part = onset_ > 0.0 ? smooth_step(std::min(time / onset_, 1.0)) : 1.0;
-  for (int i = 0; i < count; ++i) {
-    terms.lift[i] *= part;
-    distances.distance[i] -= terms.lift[i];
-  }
+  for (int g = 0; g < groups.count; ++g)
+    for (int q = groups.at[g]; q < groups.at[g] + std::min(group_nodes, count - groups.node[g]); ++q) {
+      terms.lift[q] *= part;
+      distances.distance[q] -= terms.lift[q];
+    }
 }
 
 }  // namespace weaveform

@@ -33,19 +33,18 @@ public:
     Doubles normal;  // N
   };
   [[nodiscard]] Memory new_memory() const;
-  static void forget(Memory& memory, int first, int count);
-  [[nodiscard]] static double last_lift(const Memory& memory, int node);  // mm; 0 where there was none
   static void archive(Memory& memory, Archive& archive);
 
-  // Of the nodes first <= n < first + count, at most points_at_a_time.
-  void find_turns(const State& state, int first, int count, ChordTurns& turns) const;
-  // Their terms at a tool, whose lift is taken off the distances.
-  void lift_block(const ChordTurns& turns, double time, int first, int count, double friction, Distances& distances,
-                  ChordTerms& terms) const;
+  // Of the group of nodes first <= n < first + count; `place` is where it stands among its block's turns.
+  void find_turns(const State& state, int first, int count, int place, ChordTurns& turns) const;
+  // The terms at a tool of groups of the block that begins with the packed node `first`; their lift is taken off the
+  // distances.
+  void lift_groups(const ChordTurns& turns, double time, int first, int count, const ContactGroups& groups,
+                   double friction, Distances& distances, ChordTerms& terms) const;
 
 private:
   std::array<std::vector<int>, 2> before_, after_;  // per packed node
-  std::vector<char> even_;  // per block: all neighbours that are there stand at constant distances, in the arrays
+  std::vector<char> even_;  // per group: all neighbours that are there stand at constant distances, in the arrays
   int stride_;
   std::array<Doubles, 2> length_;  // mm; likewise
   double greatest_lift_ = 0.0;     // mm

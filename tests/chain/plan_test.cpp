@@ -1,15 +1,16 @@
 // `weaveform mesh --plan` beside what the run then takes.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
+#include "core/files/files.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace {
 
+using weaveform::read_text_file;
 using weaveform::test::run_command;
 using weaveform::test::TemporaryFolder;
 
@@ -44,18 +45,20 @@ TEST_P(Plan, SaysCellsExactlyAndStepsAndTimeClosely) {
   const auto& [scene, coarsening] = GetParam();
   const std::string arguments =
       "'" WEAVEFORM_SOURCE_DIR "/examples/" + scene + ".toml' --threads 1 --set blank.coarsening=" + coarsening;
-  const auto plan = run_command("weaveform mesh " + arguments + " --plan", folder.path());
-  ASSERT_EQ(plan.exit_code, 0) << plan.err;
-  const Row row = row_of(plan.out, "1x");
-  ASSERT_EQ(run_command("weaveform run " + arguments + " --output out --quiet", folder.path()).exit_code, 0);
-  std::ifstream stream(folder.path() / "out/summary.json");
-  const auto summary = nlohmann::json::parse(stream);
-  EXPECT_EQ(row.cells, summary["cells"].get<double>());
-  EXPECT_EQ(row.solved, summary["cells_solved"].get<double>());
-  // the trial is a level of the same scene: how much shear shortens the step differs by a percent or two
-  EXPECT_NEAR(row.steps / summary["steps"].get<double>(), 1.0, steps_within);
-  // 1.5 on an idle machine (docs/meshing.md); tests may run side by side
-  const double ratio = row.seconds / summary["wall_s"].get<double>();
+  double ratio = 0.0;
+  // 1.5 on an idle machine (docs/meshing.md); what else a machine does may change between plan and run
+  for (int trial = 0; trial < 3 && !(ratio > 1.0 / 3.0 && ratio < 3.0); ++trial) {
+    const auto plan = run_command("weaveform mesh " + arguments + " --plan", folder.path());
+    ASSERT_EQ(plan.exit_code, 0) << plan.err;
+    const Row row = row_of(plan.out, "1x");
+    ASSERT_EQ(run_command("weaveform run " + arguments + " --output out --quiet", folder.path()).exit_code, 0);
+    const auto summary = nlohmann::json::parse(read_text_file(folder.path() / "out/summary.json"));
+    EXPECT_EQ(row.cells, summary["cells"].get<double>());
+    EXPECT_EQ(row.solved, summary["cells_solved"].get<double>());
+    // the trial is a level of the same scene: how much shear shortens the step differs by a percent or two
+    EXPECT_NEAR(row.steps / summary["steps"].get<double>(), 1.0, steps_within);
+    ratio = row.seconds / summary["wall_s"].get<double>();
+  }
   EXPECT_GT(ratio, 1.0 / 3.0);
   EXPECT_LT(ratio, 3.0);
 }

@@ -27,13 +27,13 @@ struct Crossing {
     for (const Vector3d& p : {Vector3d(0, 0, 0), before[0], after[0], before[1], after[1]})
       for (int c = 0; c < 3; ++c) x[c].push_back(p[c]);
     const int b[2] = {1, 3}, a[2] = {2, 4};
-    const ChordLattice lattice{1, 0, 0, {x[0].data(), x[1].data(), x[2].data()}, {&b[0], &b[1]}, {&a[0], &a[1]}};
+    const ChordLattice lattice{1, 0, 0, 0, {x[0].data(), x[1].data(), x[2].data()}, {&b[0], &b[1]}, {&a[0], &a[1]}};
     ChordTurns turns;
     chord_turns(lattice, turns);
     Distances distances{};
     for (int c = 0; c < 3; ++c) distances.normal[c][0] = n[c];
     ChordTerms terms;
-    chord_terms(turns, {&length[0], &length[1]}, 1, distances, mu, terms);
+    chord_terms(turns, {&length[0], &length[1]}, 1, single_node, distances, mu, terms);
     return terms;
   }
 };
@@ -120,7 +120,7 @@ TEST(ChordKernel, ASlidingNodesForceLiesOnTheBeltsConeAboutTheBisector) {
   const Vector3d bisector(std::sin(0.25), 0.0, std::cos(0.25));
   for (const double way : {-1.0, 1.0}) {
     double mass = 1e-8, area = 25.0, x[3] = {0, 0, 0}, v[3] = {0, 0, 0}, force[3] = {0, 0, 0}, drag[3] = {0, 0, 0},
-           anchor[3] = {-way, 0.0, 0.0}, lift = 1e30, normal = 0.0;
+           anchor[3] = {-way, 0.0, 0.0}, lift = 0.0, normal = 0.0;
     ContactNodes node{1, &mass, &area, {&x[0], &x[1], &x[2]}, {&v[0], &v[1], &v[2]}, {}, {}, {}};
     for (int c = 0; c < 3; ++c) {
       node.force[c] = &force[c];
@@ -130,7 +130,7 @@ TEST(ChordKernel, ASlidingNodesForceLiesOnTheBeltsConeAboutTheBisector) {
     Distances distances{};
     distances.distance[0] = 0.15;
     distances.normal[2][0] = 1.0;
-    (void)chord_forces(law, {{0, 0, 0}, {0, 0, 0}}, distances, terms, 0.0, node, {&lift, &normal});
+    (void)chord_forces(law, {{0, 0, 0}, {0, 0, 0}}, distances, terms, 0.0, node, single_node, {&lift, &normal});
     const Vector3d f(force[0], force[1], force[2]);
     const double along = f.dot(bisector), across = (f - along * bisector).norm();
     EXPECT_NEAR(across, terms.friction[0] * along, 1e-9 * along) << way;

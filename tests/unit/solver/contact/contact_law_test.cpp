@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "solver/contact/contact_kernel.hpp"
 
@@ -24,7 +26,7 @@ struct Node {
     const ContactNodes nodes = view();
     plane_distances({.origin = tool.origin, .axis = {0, 0, 1}}, {nodes.x[0], nodes.x[1], nodes.x[2]}, 1, distances);
     for (double& f : force) f = 0.0;
-    return contact_forces(its_law, tool, distances, time, nodes);
+    return contact_forces(its_law, tool, distances, time, nodes, single_node);
   }
   ContactNodes view() {
     ContactNodes nodes{};
@@ -157,8 +159,100 @@ TEST(ContactLaw, NodesThatDoNotExistFeelNothingAndDoNotCount) {
   for (const double f : node.force) EXPECT_EQ(f, 0.0);
   Distances distances;
   plane_distances({}, {&node.x[0], &node.x[1], &node.x[2]}, 1, distances);
-  EXPECT_GT(least_gap(distances, 0.25, node.view()), 1e200);
+  double gap[groups_in_block];
+  least_gaps(distances, 0.25, node.view(), single_node, gap);
+  EXPECT_GT(gap[0], 1e200);
   EXPECT_EQ(greatest_speed({0, 0, 0}, node.view()), 0.0);
+}
+
+// Eight and more nodes in arrays, on a plane that stands as `axis` says.
+struct Row {
+  static constexpr int count = 3 * group_nodes + 3;
+  std::array<std::vector<double>, 3> x, v, anchor, drag, force;
+  std::vector<double> node_mass, area;
+  std::array<double, 3> axis;
+
+  explicit Row(const std::array<double, 3>& upward) : axis(upward) {
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> place(-0.05, 0.05), speed(-3000.0, 3000.0);
+    for (int n = 0; n < count; ++n) {
+      for (int c = 0; c < 3; ++c) {
+        x[c].push_back(place(generator) + 0.25 * axis[c]);
+        v[c].push_back(speed(generator));
+        anchor[c].push_back(n % 3 == 0 && c == 0 ? no_anchor : x[c].back() + 0.01 * place(generator));
+        drag[c].push_back(n % 3 == 0 ? 0.0 : 1e-6 * speed(generator));
+        force[c].push_back(0.0);
+      }
+      node_mass.push_back(mass * (1.0 + 0.1 * n));
+      area.push_back(20.0 + n);
+    }
+  }
+  ContactNodes view(int first, int nodes) {
+    ContactNodes seen{};
+    seen.count = nodes;
+    seen.mass = node_mass.data() + first;
+    seen.area = area.data() + first;
+    for (int c = 0; c < 3; ++c) {
+      seen.x[c] = x[c].data() + first;
+      seen.v[c] = v[c].data() + first;
+      seen.force[c] = force[c].data() + first;
+      seen.anchor[c] = anchor[c].data() + first;
+      seen.drag[c] = drag[c].data() + first;
+    }
+    return seen;
+  }
+  ContactSums touch(int first, int nodes, const ContactGroups& groups) {
+    Distances distances;
+    const ContactNodes seen = view(first, nodes);
+    plane_distances({.origin = {}, .axis = axis}, {seen.x[0], seen.x[1], seen.x[2]}, nodes, distances);
+    return contact_forces(law, {{0, 0, 0}, {10, -20, 5}}, distances, 1e-6, seen, groups);
+  }
+};
+
+// Whole groups on an upright tool go another way than single nodes.
+TEST(ContactLaw, AGroupOfNodesFeelsWhatEachOfItsNodesWould) {
+  for (const std::array<double, 3>& axis : {std::array{0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {0.6, 0.0, 0.8}}) {
+    Row together(axis), alone(axis);
+    ContactGroups all;
+    for (int n = 0; n < Row::count; n += group_nodes) all.add(n, n);
+    const ContactSums sums = together.touch(0, Row::count, all);
+    ContactSums sum;
+    for (int n = 0; n < Row::count; ++n) {
+      const ContactSums one = alone.touch(n, 1, single_node);
+      for (int c = 0; c < 3; ++c) sum.force[c] += one.force[c];
+      sum.area += one.area;
+      sum.energy += one.energy;
+      sum.friction_work += one.friction_work;
+      sum.damping_work += one.damping_work;
+    }
+    const double size = std::abs(sum.force[0]) + std::abs(sum.force[1]) + std::abs(sum.force[2]);
+    ASSERT_GT(size, 0.0);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(sums.force[c], sum.force[c], 1e-13 * size);
+      for (int n = 0; n < Row::count; ++n) {
+        EXPECT_NEAR(together.force[c][n], alone.force[c][n], 1e-14 * size);
+        EXPECT_NEAR(together.drag[c][n], alone.drag[c][n], 1e-14 * size);
+        EXPECT_NEAR(together.anchor[c][n], alone.anchor[c][n], 1e-14 * std::abs(alone.anchor[c][n]));
+      }
+    }
+    EXPECT_NEAR(sums.area, sum.area, 1e-12 * sum.area);
+    EXPECT_NEAR(sums.energy, sum.energy, 1e-13 * sum.energy);
+    EXPECT_NEAR(sums.friction_work, sum.friction_work, 1e-12 * std::abs(sum.friction_work));
+    EXPECT_NEAR(sums.damping_work, sum.damping_work, 1e-12 * std::abs(sum.damping_work));
+  }
+}
+
+TEST(ContactLaw, WhatDoesNotTouchHasNoAnchorAndNoDrag) {
+  Row row({0.0, 0.0, 1.0});
+  ContactGroups all;
+  for (int n = 0; n < Row::count; n += group_nodes) all.add(n, n);
+  (void)row.touch(0, Row::count, all);
+  for (int n = 0; n < Row::count; ++n) {
+    EXPECT_EQ(row.anchor[0][n] < no_anchor, row.x[2][n] < law.offset);
+    if (row.x[2][n] < law.offset) continue;
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(row.drag[c][n], 0.0);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(row.force[c][n], 0.0);
+  }
 }
 
 }  // namespace
