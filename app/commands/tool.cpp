@@ -117,9 +117,9 @@ void look_at_tool(const ToolArguments& arguments) {
 
 void add_tool_command(CLI::App& program) {
   auto* command = program.add_subcommand(
-      "tool", "Size and place of a tool's surface (STL, STEP, IGES, BREP, .geo, .inp) and its faults");
+      "tool", "Size and place of a tool's surface (STL, STEP, IGES, BREP, .geo, .msh, .inp) and its faults");
   const auto arguments = std::make_shared<ToolArguments>();
-  command->add_option("FILE", arguments->file, "STL, CAD or Abaqus .inp file")->required();
+  command->add_option("FILE", arguments->file, "STL, CAD, Gmsh .msh or Abaqus .inp file")->required();
   add_trust_argument(*command);
   command->add_option("--chord-tolerance", arguments->chord_tolerance, "mm; of triangles made from CAD")
       ->capture_default_str();

@@ -71,6 +71,7 @@ compare() {
 }
 
 mkdir -p "$output"
+output=$(cd "$output" && pwd)  # absolute: a card's path on the command line counts from its scene
 for name in plain_frame_UML plain_frame_HKUST plain_frames plain_bias_INSA-NU plain_bias_NU-New twill_frame_UML twill_bias_INSA-NU \
   plain_bias_INSA-NU_simulated plain_bias_NU-New_simulated twill_bias_INSA-NU_simulated; do
   fit "$name"

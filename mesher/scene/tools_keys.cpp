@@ -78,8 +78,8 @@ const std::vector<Key<ToolSpec>>& tool_keys() {
           {.name = "file",
            .doc =
                "surface of a tool of triangles, relative to the scene file: STL (outside counter-clockwise), CAD "
-               "(STEP, IGES, BREP, Gmsh's .geo) or the shells of an Abaqus .inp (these are made to face outward, open "
-               "ones to the blank)"}),
+               "(STEP, IGES, BREP, Gmsh's .geo), Gmsh's .msh or the shells of an Abaqus .inp (these are made to face "
+               "outward, open ones to the blank)"}),
       key<&ToolSpec::chord_tolerance>(
           {.name = "chord_tolerance",
            .unit = "mm",
@@ -89,7 +89,7 @@ const std::vector<Key<ToolSpec>>& tool_keys() {
       key<&ToolSpec::unit>(
           {.name = "unit",
            .doc =
-               "of an STL, BREP, .geo or .inp file, which name none; left out: mm, and refused when the tool is then "
+               "of an STL, BREP, .geo, .msh or .inp file, which name none; left out: mm, and refused when the tool is then "
                "out of all proportion to the blank. STEP and IGES bring their own"}),
       key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
       key<&ToolSpec::travel>({.name = "travel",

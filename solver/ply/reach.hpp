@@ -4,7 +4,7 @@
 // forming process than at its stiffest, and the stable step goes with 1/sqrt(C). The step may therefore be taken from
 // the stiffest tangent that any yarn of the family has reached, never from each yarn's own current one: a slack yarn
 // that snaps taut meets a tangent that some other yarn has shown before, while with current tangents a hemisphere tears
-// itself apart (docs/theory.md). The fabric's strains, and those that they come to within two steps at their present
+// itself apart (docs/stability.md). The fabric's strains, and those that they come to within two steps at their present
 // rate, are known at every step; the first that is beyond what the step allows shortens the very next step. Without the
 // look ahead a seatbelt with slack, which nothing but its soft cells gives a step, met its tension in one step of 0.6
 // ms, and blew up.
