@@ -86,11 +86,10 @@ const std::vector<Key<ToolSpec>>& tool_keys() {
            .limits = between(1e-4, 1e3),
            .doc = "of triangles made from CAD: greatest distance from the true surface. Left out: a "
                   "hundredth of a cell's shorter edge"}),
-      key<&ToolSpec::unit>(
-          {.name = "unit",
-           .doc =
-               "of an STL, BREP, .geo, .msh or .inp file, which name none; left out: mm, and refused when the tool is then "
-               "out of all proportion to the blank. STEP and IGES bring their own"}),
+      key<&ToolSpec::unit>({.name = "unit",
+                            .doc = "of an STL, BREP, .geo, .msh or .inp file, which name none; left out: mm, and "
+                                   "refused when the tool is then "
+                                   "out of all proportion to the blank. STEP and IGES bring their own"}),
       key<&ToolSpec::flip>({.name = "flip", .doc = "turns a surface of triangles over, its inside out"}),
       key<&ToolSpec::travel>({.name = "travel",
                               .unit = "mm",
