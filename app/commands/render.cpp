@@ -24,8 +24,9 @@ fs::path drawing_program() {
   const fs::path here = fs::read_symlink("/proc/self/exe", unknown).parent_path();
   for (const fs::path& place : {here / "weaveform-picture", here / "../libexec/weaveform/weaveform-picture"})
     if (fs::exists(place)) return place.lexically_normal();
-  throw FileError(fmt::format("{}: the program that draws is not there; install weaveform again",
-                              (here / "weaveform-picture").string()));
+  throw FileError(
+      fmt::format("{}: the program that draws is not there; install weaveform again, or in its sources run ./dev build",
+                  (here / "weaveform-picture").string()));
 }
 
 std::vector<std::string> words_for(const PictureArguments& arguments) {

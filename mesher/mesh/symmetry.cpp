@@ -37,4 +37,15 @@ Vec3 mirrored_vector(Vec3 v, const std::vector<SymmetryPlane>& plane, unsigned w
   return v;
 }
 
+std::array<Vec3, 3> reflection(const std::vector<SymmetryPlane>& plane, unsigned which) {
+  std::array<Vec3, 3> rows{};
+  for (int c = 0; c < 3; ++c) {
+    Vec3 unit = {0.0, 0.0, 0.0};
+    unit[c] = 1.0;
+    const Vec3 column = mirrored_vector(unit, plane, which);
+    for (int r = 0; r < 3; ++r) rows[r][c] = column[r];
+  }
+  return rows;
+}
+
 }  // namespace weaveform

@@ -46,5 +46,7 @@ struct MeshSymmetry {
 // In every plane whose bit is set.
 [[nodiscard]] std::array<double, 3> mirrored_vector(std::array<double, 3> v, const std::vector<SymmetryPlane>& plane,
                                                     unsigned which);
+// Rows of the matrix that does that.
+[[nodiscard]] std::array<std::array<double, 3>, 3> reflection(const std::vector<SymmetryPlane>& plane, unsigned which);
 
 }  // namespace weaveform

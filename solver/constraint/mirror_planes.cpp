@@ -13,15 +13,7 @@ Vec3 times(const std::array<Vec3, 3>& rows, const Vec3& v) {
 
 MirrorPlanes::MirrorPlanes(const Mesh& mesh, PackedMesh& packed)
     : plane_(mesh.symmetry.plane), on_plane_(mesh.symmetry.on_plane) {
-  for (unsigned planes = 0; planes < 1U << plane_.size(); ++planes) {
-    Reflection& rows = reflection_.emplace_back();
-    for (int d = 0; d < 3; ++d) {
-      Vec3 unit = {0.0, 0.0, 0.0};
-      unit[d] = 1.0;
-      const Vec3 column = mirrored_vector(unit, plane_, planes);
-      for (int c = 0; c < 3; ++c) rows[c][d] = column[c];
-    }
-  }
+  for (unsigned planes = 0; planes < 1U << plane_.size(); ++planes) reflection_.push_back(reflection(plane_, planes));
   for (auto& nodes : on_plane_)
     for (int& n : nodes) n = packed.packed_of_mesh[n];
   for (const auto& image : mesh.symmetry.image) {

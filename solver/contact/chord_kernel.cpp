@@ -143,26 +143,20 @@ struct Terms {
 
 void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const ContactGroups& groups,
                  const Distances& distances, double mu, ChordTerms& terms) {
-  for (int g = 0; g < groups.count; ++g) {
-    const int node = groups.node[g], at = groups.at[g];
-    if (count - node < group_nodes)
-      group_terms(turns, length[0], length[1], node, at, count - node, distances, mu, terms);
-    else
-      group_terms(turns, length[0], length[1], node, at, group_nodes, distances, mu, terms);
-  }
+  for_groups(
+      groups, count, [&](int /*group*/, int node, int at, auto lanes) __attribute__((always_inline)) {
+        group_terms(turns, length[0], length[1], node, at, lanes, distances, mu, terms);
+      });
 }
 
-struct Contribution {
-  double force[3], normal, area, energy, friction, damping;
-};
-
 // contact_kernel.cpp's contact_force with the cone of the header: coefficient m, its centre shifted by N a.
-[[gnu::always_inline]] inline Contribution chord_force(const ContactLaw& law, double inverse_softening, double mass,
-                                                       double area, double distance, const double (&n)[3],
-                                                       const double (&v)[3], double m, const double (&a)[3],
-                                                       double time, double (&d)[3], double (&drag)[3]) {
+[[gnu::always_inline]] inline ContactShare chord_force(const AtTool& here, double mass, double area, double distance,
+                                                       const double (&n)[3], const double (&v)[3], double m,
+                                                       const double (&a)[3], double (&d)[3], double (&drag)[3]) {
+  const ContactLaw& law = here.law;
+  const double time = here.time;
   const double k = law.frequency2 * mass, c = law.damping_rate * mass;
-  const NormalSpring spring = normal_spring<false>(law, law.offset, inverse_softening, k, c, distance, n, v);
+  const NormalSpring spring = normal_spring<false>(law, law.offset, here.inverse_softening, k, c, distance, n, v);
   const double normal = spring.force;
 
   double t[3], w[3];
@@ -190,11 +184,11 @@ struct Contribution {
   d[2] = stretch[2];
 
   const DragPower power = advance_drag<false>(spring, cut * c, n, w, drag);
-  Contribution out;
+  ContactShare out;
   out.force[0] = normal * n[0] + centre0 + cut * q0;
   out.force[1] = normal * n[1] + centre1 + cut * q1;
   out.force[2] = normal * n[2] + centre2 + cut * q2;
-  out.normal = spring.elastic;
+  out.elastic = spring.elastic;
   out.area = spring.depth > 0.0 ? area : 0.0;
   out.energy = spring.stored + 0.5 * k * kept;
   out.friction = k * slip - time * power.tangential;
@@ -202,47 +196,25 @@ struct Contribution {
   return out;
 }
 
-// What the nodes of one group have in common.
-struct KinkedGroup {
-  const ContactLaw& law;
-  const ContactTool& tool;
-  const Distances& distances;
-  const ChordTerms& terms;
-  double inverse_softening, time;
-};
-
 // `lift_work`, mJ doubled, by lane.
-[[gnu::always_inline]] inline void group_forces(const KinkedGroup& group, const ContactNodes& nodes,
+[[gnu::always_inline]] inline void group_forces(const AtTool& here, const ChordTerms& terms, const ContactNodes& nodes,
                                                 const ChordMemory& memory, int node, int at, int lanes,
                                                 ContactLanes& sums, double (&lift_work)[group_nodes]) {
-  const ContactLaw& law = group.law;
-  const ContactTool& tool = group.tool;
 #pragma omp simd
   for (int lane = 0; lane < lanes; ++lane) {
     const int i = node + lane, q = at + lane;
-    const double n[3] = {group.distances.normal[0][q], group.distances.normal[1][q], group.distances.normal[2][q]};
-    const double y[3] = {nodes.x[0][i] - tool.origin[0], nodes.x[1][i] - tool.origin[1],
-                         nodes.x[2][i] - tool.origin[2]};
-    const double v[3] = {nodes.v[0][i] - tool.velocity[0], nodes.v[1][i] - tool.velocity[1],
-                         nodes.v[2][i] - tool.velocity[2]};
-    const double a[3] = {group.terms.shift[0][q], group.terms.shift[1][q], group.terms.shift[2][q]};
+    const double a[3] = {terms.shift[0][q], terms.shift[1][q], terms.shift[2][q]};
     const bool touched = nodes.anchor[0][i] < no_anchor;
-    double d[3], drag[3] = {nodes.drag[0][i], nodes.drag[1][i], nodes.drag[2][i]};
-    stretch_before(nodes, i, y, d);
-    const double distance = group.distances.distance[q], lift = group.terms.lift[q];
-    const Contribution c = chord_force(law, group.inverse_softening, nodes.mass[i], nodes.area[i], distance, n, v,
-                                       group.terms.friction[q], a, group.time, d, drag);
-    lift_work[lane] += touched ? (memory.normal[i] + c.normal) * (lift - memory.lift[i]) : 0.0;
+    double n[3], y[3], v[3], d[3], drag[3];
+    see_node(here, nodes, i, q, n, y, v, d, drag);
+    const double distance = here.distances.distance[q], lift = terms.lift[q];
+    const ContactShare share =
+        chord_force(here, nodes.mass[i], nodes.area[i], distance, n, v, terms.friction[q], a, d, drag);
+    lift_work[lane] += touched ? (memory.normal[i] + share.elastic) * (lift - memory.lift[i]) : 0.0;
     memory.lift[i] = lift;
-    memory.normal[i] = c.normal;
-    keep_contact(nodes, i, distance < law.offset, y, d, drag, c.force);
-    sums.force[0][lane] += c.force[0];
-    sums.force[1][lane] += c.force[1];
-    sums.force[2][lane] += c.force[2];
-    sums.area[lane] += c.area;
-    sums.energy[lane] += c.energy;
-    sums.friction[lane] += c.friction;
-    sums.damping[lane] += c.damping;
+    memory.normal[i] = share.elastic;
+    keep_contact(nodes, i, distance < here.law.offset, y, d, drag, share.force);
+    sums.add(lane, share);
   }
 }
 
@@ -253,16 +225,13 @@ ContactSums chord_forces(const ContactLaw& law_given, const ContactTool& tool_gi
   const ContactTool tool = tool_given;
   const ContactNodes nodes = nodes_given;
   const ChordMemory memory = memory_given;
-  const KinkedGroup group = {law, tool, distances, terms, 1.0 / law.softening, time};
+  const AtTool here = {law, tool, distances, 1.0 / law.softening, time};
   ContactLanes sums{};
   double lift_work[group_nodes] = {};
-  for (int g = 0; g < groups.count; ++g) {
-    const int node = groups.node[g], at = groups.at[g];
-    if (nodes.count - node < group_nodes)
-      group_forces(group, nodes, memory, node, at, nodes.count - node, sums, lift_work);
-    else
-      group_forces(group, nodes, memory, node, at, group_nodes, sums, lift_work);
-  }
+  for_groups(
+      groups, nodes.count, [&](int /*group*/, int node, int at, auto lanes) __attribute__((always_inline)) {
+        group_forces(here, terms, nodes, memory, node, at, lanes, sums, lift_work);
+      });
   ContactSums total = sums.total(time);
   for (const double work : lift_work) total.damping_work -= 0.5 * work;
   return total;

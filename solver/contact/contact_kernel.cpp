@@ -8,19 +8,16 @@
 namespace weaveform::WEAVEFORM_SET {
 namespace {
 
-struct Contribution {
-  double force[3], area, energy, friction, damping, elastic;
-};
-
 // One node and one tool: the law of the header. `d` becomes what the tangential spring keeps, `drag` goes from the
 // dampers' force at the step before to that of now. `offset` is the node's.
 template <bool upright>
-[[gnu::always_inline]] inline Contribution contact_force(const ContactLaw& law, double offset, double inverse_softening,
-                                                         double mass, double area, double distance,
-                                                         const double (&n)[3], const double (&v)[3], double time,
+[[gnu::always_inline]] inline ContactShare contact_force(const AtTool& here, double offset, double mass, double area,
+                                                         double distance, const double (&n)[3], const double (&v)[3],
                                                          double (&d)[3], double (&drag)[3]) {
+  const ContactLaw& law = here.law;
+  const double time = here.time;
   const double k = law.frequency2 * mass, c = law.damping_rate * mass;
-  const NormalSpring spring = normal_spring<upright>(law, offset, inverse_softening, k, c, distance, n, v);
+  const NormalSpring spring = normal_spring<upright>(law, offset, here.inverse_softening, k, c, distance, n, v);
   const double limit = law.friction * spring.force;
 
   // trial = k t + c w with the tangential parts of d and v, cut to the limit as a whole
@@ -36,7 +33,7 @@ template <bool upright>
   d[1] = cut * t[1];
   d[2] = upright ? 0.0 : cut * t[2];
 
-  Contribution out;
+  ContactShare out;
   out.force[0] = upright ? -cut * s[0] : spring.force * n[0] - cut * s[0];
   out.force[1] = upright ? -cut * s[1] : spring.force * n[1] - cut * s[1];
   out.force[2] = upright ? spring.force * n[2] : spring.force * n[2] - cut * s[2];
@@ -49,43 +46,21 @@ template <bool upright>
   return out;
 }
 
-// What the nodes of one group have in common, and what they add up to.
-struct TouchingGroup {
-  const ContactLaw& law;
-  const ContactTool& tool;
-  const Distances& distances;
-  double inverse_softening, time;
-};
-
 template <bool swollen, bool upright>
-[[gnu::always_inline]] inline void group_forces(const TouchingGroup& group, const ContactNodes& nodes, int node, int at,
+[[gnu::always_inline]] inline void group_forces(const AtTool& here, const ContactNodes& nodes, int node, int at,
                                                 int lanes, ContactLanes& sums) {
-  const ContactLaw& law = group.law;
-  const ContactTool& tool = group.tool;
 #pragma omp simd
   for (int lane = 0; lane < lanes; ++lane) {
     const int i = node + lane, q = at + lane;
-    const double n[3] = {group.distances.normal[0][q], group.distances.normal[1][q], group.distances.normal[2][q]};
-    const double y[3] = {nodes.x[0][i] - tool.origin[0], nodes.x[1][i] - tool.origin[1],
-                         nodes.x[2][i] - tool.origin[2]};
-    const double v[3] = {nodes.v[0][i] - tool.velocity[0], nodes.v[1][i] - tool.velocity[1],
-                         nodes.v[2][i] - tool.velocity[2]};
-    double d[3], drag[3] = {nodes.drag[0][i], nodes.drag[1][i], nodes.drag[2][i]};
-    stretch_before(nodes, i, y, d);
-    double offset = law.offset;
+    double n[3], y[3], v[3], d[3], drag[3], offset = here.law.offset;
+    see_node(here, nodes, i, q, n, y, v, d, drag);
     if constexpr (swollen) offset *= nodes.swell[i];
-    const double distance = group.distances.distance[q];
-    const Contribution c = contact_force<upright>(law, offset, group.inverse_softening, nodes.mass[i], nodes.area[i],
-                                                  distance, n, v, group.time, d, drag);
-    if constexpr (swollen) nodes.load[i] += law.offset * c.elastic;
-    keep_contact(nodes, i, distance < offset, y, d, drag, c.force);
-    sums.force[0][lane] += c.force[0];
-    sums.force[1][lane] += c.force[1];
-    sums.force[2][lane] += c.force[2];
-    sums.area[lane] += c.area;
-    sums.energy[lane] += c.energy;
-    sums.friction[lane] += c.friction;
-    sums.damping[lane] += c.damping;
+    const double distance = here.distances.distance[q];
+    const ContactShare share =
+        contact_force<upright>(here, offset, nodes.mass[i], nodes.area[i], distance, n, v, d, drag);
+    if constexpr (swollen) nodes.load[i] += here.law.offset * share.elastic;
+    keep_contact(nodes, i, distance < offset, y, d, drag, share.force);
+    sums.add(lane, share);
   }
 }
 
@@ -103,17 +78,15 @@ ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_
   const ContactLaw law = law_given;
   const ContactTool tool = tool_given;
   const ContactNodes nodes = nodes_given;
-  const TouchingGroup group = {law, tool, distances, 1.0 / law.softening, time};
+  const AtTool here = {law, tool, distances, 1.0 / law.softening, time};
   ContactLanes sums{};
-  for (int g = 0; g < groups.count; ++g) {
-    const int node = groups.node[g], at = groups.at[g];
-    if (nodes.count - node < group_nodes)
-      group_forces<swollen, false>(group, nodes, node, at, nodes.count - node, sums);
-    else if (all_upright(distances, at))
-      group_forces<swollen, true>(group, nodes, node, at, group_nodes, sums);
-    else
-      group_forces<swollen, false>(group, nodes, node, at, group_nodes, sums);
-  }
+  for_groups(
+      groups, nodes.count, [&](int /*group*/, int node, int at, auto lanes) __attribute__((always_inline)) {
+        if (lanes == group_nodes && all_upright(distances, at))
+          group_forces<swollen, true>(here, nodes, node, at, lanes, sums);
+        else
+          group_forces<swollen, false>(here, nodes, node, at, lanes, sums);
+      });
   return sums.total(time);
 }
 
@@ -135,13 +108,11 @@ template <bool swollen>
 template <bool swollen>
 void least_gaps(const Distances& distances, double offset, const ContactNodes& nodes, const ContactGroups& groups,
                 double (&gaps)[groups_in_block]) {
-  for (int g = 0; g < groups.count; ++g) {
-    const int node = groups.node[g];
-    const double *distance = distances.distance + groups.at[g], *mass = nodes.mass + node;
-    const double* swell = swollen ? nodes.swell + node : nullptr;
-    gaps[g] = nodes.count - node < group_nodes ? group_gap<swollen>(distance, offset, mass, swell, nodes.count - node)
-                                               : group_gap<swollen>(distance, offset, mass, swell, group_nodes);
-  }
+  for_groups(
+      groups, nodes.count, [&](int group, int node, int at, auto lanes) __attribute__((always_inline)) {
+        gaps[group] = group_gap<swollen>(distances.distance + at, offset, nodes.mass + node,
+                                         swollen ? nodes.swell + node : nullptr, lanes);
+      });
 }
 
 double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes) {

@@ -31,13 +31,28 @@ template <bool upright>
   rest[2] = upright ? 0.0 : a[2] - part * n[2];
 }
 
-// The spring's stretch so far: from the anchor, where there is one.
-[[gnu::always_inline]] inline void stretch_before(const ContactNodes& nodes, int i, const double (&y)[3],
-                                                  double (&d)[3]) {
+// What the nodes of a group have in common.
+struct AtTool {
+  const ContactLaw& law;
+  const ContactTool& tool;
+  const Distances& distances;
+  double inverse_softening;  // 1/mm; spares a division
+  double time;               // s; of the step just made
+};
+
+// Node i, whose distance is the q-th, as the tool sees it: the tool's normal n, the place y and the speed v in the tool's
+// frame, the spring's stretch d from its anchor, where it has one, and the dampers' force of the step before.
+[[gnu::always_inline]] inline void see_node(const AtTool& here, const ContactNodes& nodes, int i, int q, double (&n)[3],
+                                            double (&y)[3], double (&v)[3], double (&d)[3], double (&drag)[3]) {
   const bool held = nodes.anchor[0][i] < no_anchor;
-  d[0] = held ? y[0] - nodes.anchor[0][i] : 0.0;
-  d[1] = held ? y[1] - nodes.anchor[1][i] : 0.0;
-  d[2] = held ? y[2] - nodes.anchor[2][i] : 0.0;
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) {
+    n[c] = here.distances.normal[c][q];
+    y[c] = nodes.x[c][i] - here.tool.origin[c];
+    v[c] = nodes.v[c][i] - here.tool.velocity[c];
+    d[c] = held ? y[c] - nodes.anchor[c][i] : 0.0;
+    drag[c] = nodes.drag[c][i];
+  }
 }
 
 // What the node at y in the tool's frame keeps: `stretch` of the tangential spring where it touches, and the dampers'
@@ -65,7 +80,6 @@ struct NormalSpring {
   double approach;  // mm/s
 };
 
-// `inverse_softening` spares a division.
 template <bool upright>
 [[gnu::always_inline]] inline NormalSpring normal_spring(const ContactLaw& law, double offset, double inverse_softening,
                                                          double k, double c, double distance, const double (&n)[3],
@@ -101,12 +115,29 @@ template <bool upright>
   return power;
 }
 
+// What one node adds.
+struct ContactShare {
+  double force[3];
+  double elastic;            // N; of the normal spring
+  double area, energy;       // mm^2, mJ
+  double friction, damping;  // mJ, doubled; mJ/s, doubled
+};
+
 // Sums over nodes by the place in their group, and so the same for any width of vectors.
 struct ContactLanes {
-  double force[3][group_nodes], area[group_nodes], energy[group_nodes];
-  double friction[group_nodes], damping[group_nodes];  // mJ, doubled; mJ/s, doubled
+  double force[3][group_nodes], area[group_nodes], energy[group_nodes], friction[group_nodes], damping[group_nodes];
 
-  [[nodiscard]] ContactSums total(double time) const {
+  [[gnu::always_inline]] void add(int lane, const ContactShare& share) {
+    force[0][lane] += share.force[0];
+    force[1][lane] += share.force[1];
+    force[2][lane] += share.force[2];
+    area[lane] += share.area;
+    energy[lane] += share.energy;
+    friction[lane] += share.friction;
+    damping[lane] += share.damping;
+  }
+
+  [[nodiscard, gnu::always_inline]] ContactSums total(double time) const {
     ContactSums sums;
     for (int lane = 0; lane < group_nodes; ++lane) {
       for (int c = 0; c < 3; ++c) sums.force[c] += force[c][lane];
@@ -118,5 +149,23 @@ struct ContactLanes {
     return sums;
   }
 };
+
+// Calls of(group, node, at, lanes) for each: `lanes` a constant but for a block's last nodes, so that a loop over them is
+// one vector's.
+template <class Of>
+[[gnu::always_inline]] inline void for_groups(const ContactGroups& groups, int count, const Of& of) {
+  struct Whole {
+    [[gnu::always_inline]] constexpr operator int() const {
+      return group_nodes;
+    }  // NOLINT(google-explicit-constructor): is a number
+  };
+  for (int g = 0; g < groups.count; ++g) {
+    const int node = groups.node[g], rest = count - node;
+    if (rest < group_nodes)
+      of(g, node, groups.at[g], rest);
+    else
+      of(g, node, groups.at[g], Whole{});
+  }
+}
 
 }  // namespace weaveform

@@ -38,13 +38,10 @@ double greatest_eigenvalue(const Matrix3d& matrix) {
   return solver.eigenvalues()(2);
 }
 
-Matrix3d reflection(const MeshSymmetry& symmetry, unsigned planes) {
-  Matrix3d matrix = Matrix3d::Identity();
-  for (std::size_t k = 0; k < symmetry.plane.size(); ++k) {
-    if ((planes >> k & 1U) == 0) continue;
-    const Vector3d normal = vector_of(symmetry.plane[k].normal);
-    matrix -= 2.0 * normal * (normal.transpose() * matrix);
-  }
+Matrix3d mirror_matrix(const MeshSymmetry& symmetry, unsigned planes) {
+  const auto rows = reflection(symmetry.plane, planes);
+  Matrix3d matrix;
+  for (int r = 0; r < 3; ++r) matrix.row(r) = vector_of(rows[r]).transpose();
   return matrix;
 }
 
@@ -77,7 +74,7 @@ std::array<double, 2> CriticalStep::stiffest(const FamilyStrains& allowed) const
 // An image's rows are those of its node, mirrored.
 void CriticalStep::move_images(std::vector<Matrix3d>& bound, std::vector<double>& cell_rows) const {
   for (const auto& image : mesh_.symmetry.image) {
-    const Matrix3d mirror = reflection(mesh_.symmetry, image.planes);
+    const Matrix3d mirror = mirror_matrix(mesh_.symmetry, image.planes);
     bound[image.of] += mirror * bound[image.node] * mirror;
     cell_rows[image.of] += cell_rows[image.node];
     bound[image.node].setZero();
@@ -89,7 +86,7 @@ void CriticalStep::move_images(std::vector<Matrix3d>& bound, std::vector<double>
 // the bound is that of the whole mesh, to rounding.
 void CriticalStep::add_other_sides(std::vector<Matrix3d>& bound) const {
   for (std::size_t k = 0; k < mesh_.symmetry.plane.size(); ++k) {
-    const Matrix3d mirror = reflection(mesh_.symmetry, 1U << k);
+    const Matrix3d mirror = mirror_matrix(mesh_.symmetry, 1U << k);
     for (const int n : mesh_.symmetry.on_plane[k]) bound[n] = 0.5 * (bound[n] + mirror * bound[n] * mirror);
   }
 }
