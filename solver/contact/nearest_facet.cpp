@@ -20,7 +20,7 @@ NearestFacet::NearestFacet(const PlySurface& surface, const Components& position
     if (!surface.exists(facet)) continue;
     const double middle = surface.is_triangle(facet) ? 1.0 / 3.0 : 0.5;
     place_.push_back({facet, middle, middle});
-    points->InsertNextPoint(surface.point(place_.back(), position).data());
+    points->InsertNextPoint(surface.frame(place_.back(), position).point.data());
   }
   if (place_.empty()) return;
   middles_->points->SetPoints(points);

@@ -20,6 +20,7 @@ constexpr double wakes_within = 0.25;  // of the thinner ply's thickness: a pair
 constexpr double safe_part_asleep = 0.5;  // of a pair's measured gap
 constexpr int lanes_in_chunk = 4000, most_chunks = 4;
 constexpr int segments_to_fold = 32;
+constexpr int look_at_edges_every = 16;  // steps
 
 std::string name_of_ply(const PlyContactSetup& setup, std::size_t k) {
   return k < setup.names.size() ? setup.names[k] : fmt::format("ply {}", k + 1);
@@ -139,9 +140,13 @@ void PlyContact::add_forces() {
   Parts& parts = *parts_;
   const State& first = parts.face.front().state();
   const double step_made = parts.started ? first.time - parts.time : 0.0;
+  const bool looks_at_edges = !parts.started || first.step % look_at_edges_every == 0;
   parts.time = first.time;
   parts.started = true;
   parts.count_ways(step_made);
+  if (looks_at_edges)
+    parts.team.run(static_cast<int>(parts.face.size()),
+                   [&](int k) { parts.face[k].edges().look(parts.face[k].state().position); });
   for (auto& pair : parts.pair) {
     if (pair.awake() || pair.far > parts.face[pair.reading.lower].way + parts.face[pair.reading.upper].way) continue;
     double gap = std::numeric_limits<double>::infinity();
@@ -303,7 +308,10 @@ void PlyContact::archive(Archive& archive) {
   Parts& parts = *parts_;
   archive.flag("whether plies have met", parts.started);
   archive.number("a stack's time", parts.time, not_negative);
-  for (auto& face : parts.face) archive.number("a ply's way", face.way, not_negative);
+  for (auto& face : parts.face) {
+    archive.number("a ply's way", face.way, not_negative);
+    face.edges().archive(archive);
+  }
   for (auto& pair : parts.pair) {
     bool awake = pair.awake();
     archive.flag("whether two plies are near", awake);

@@ -12,6 +12,7 @@
 #include "solver/contact/ply_kernel.hpp"
 #include "solver/contact/ply_law.hpp"
 #include "solver/contact/ply_surface.hpp"
+#include "solver/contact/rounded_edges.hpp"
 #include "solver/contact/sheared_thickness.hpp"
 #include "solver/ply/ply.hpp"
 
@@ -38,6 +39,8 @@ public:
   [[nodiscard]] State& state() const { return ply_.state(); }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const PlySurface& surface() const { return surface_; }
+  [[nodiscard]] const RoundedEdges& edges() const { return edges_; }
+  [[nodiscard]] RoundedEdges& edges() { return edges_; }
   [[nodiscard]] const TouchingPly& touching() const { return touching_; }
   [[nodiscard]] bool thickens() const { return sheared_ != nullptr; }
   [[nodiscard]] ShearedThickness* sheared() const { return sheared_; }
@@ -88,6 +91,7 @@ private:
   ShearedThickness* sheared_;
   Doubles even_swell_, even_load_;
   PlySurface surface_;
+  RoundedEdges edges_;
   PlyArms arms_;
   std::vector<int> irregular_, first_irregular_;  // nodes whose arms are not their lattice neighbours; per block
   std::array<Doubles, 6> lever_;                  // N; a row before and behind the packed nodes', 0 at irregular nodes

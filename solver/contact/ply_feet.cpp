@@ -62,7 +62,7 @@ double PlyPassState::search(std::vector<double>* depths) {
 // on another side of a fold.
 bool PlyPassState::faces(int lane, const SurfacePlace& place) const {
   const Vec3 n = own_.normal(own_.node_of(lane));
-  const Frame frame = frame_at(place);
+  const SurfaceFrame frame = frame_at(place);
   const Vec3 m = cross(frame.s1, frame.s2);
   const double along = dot(m, n);
   return along > 0.0 && 4.0 * along * along > dot(m, m) * dot(n, n) &&

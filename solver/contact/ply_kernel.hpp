@@ -5,7 +5,8 @@
 // where the line from x along the node's own unit normal n meets it (none where the two surfaces part by 60 degrees and
 // more, all from 45 down): x - S(xi, eta) = s n, by one Newton step from the
 // foot of the step before. n is that of a x b, with a and b from the node's neighbours: it turns smoothly where cells
-// meet at an edge. r = x - y, and the depth is p = reach - |r|, |r| counted negative beyond the surface.
+// meet at an edge. r = x - y, and the depth is p = reach - |r|, |r| counted negative beyond the surface. Where cells meet
+// at an angle, S is that of rounded_edges.hpp, and its shape functions and slopes take the place of these.
 //
 // With the share's stiffness k of the node (ply_law.hpp) and the softening depth d:
 //   normal    N = k p^2/(2d) for p < d, k (p - d/2) beyond; or A P(p) of a measured compaction. Plus damping

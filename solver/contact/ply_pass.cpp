@@ -80,7 +80,7 @@ double PlyPassState::reach_at(int lane, const SurfacePlace& place) const {
 
 // The depth at a foot, |r| counted as in ply_kernel.hpp.
 double PlyPassState::depth_at(int lane, const SurfacePlace& place, const Vec3& normal) const {
-  const Vec3 r = minus(own_.position(own_.node_of(lane)), other_.surface().point(place, other_.state().position));
+  const Vec3 r = minus(own_.position(own_.node_of(lane)), frame_at(place).point);
   const double distance = length(r);
   return reach_at(lane, place) - (law_.side * dot(r, normal) >= 0.0 ? distance : -distance);
 }
@@ -172,9 +172,12 @@ bool PlyPassState::look(int number, const BlockFrame& frame, double inverse_time
     for (int i = 0; i < block.count; ++i)
       if (is_on_triangle(block.at + i)) outside = std::max(outside, find_one(number, nodes, feet, i));
   if (outside > cell_border) move_feet(number, nodes, feet, tidies);
+  RoundedFeet rounded;
+  rounded.count = 0;
+  if (other_.edges().any()) round_edges(number, nodes, feet, rounded);
   measured_[number] = 0;
   sums_[number] = {};
-  press(number, nodes, feet, was_clear ? 0.0 : inverse_time, pull, back);
+  press(number, nodes, feet, rounded, was_clear ? 0.0 : inverse_time, pull, back);
   double room = 0.0;
   if (measured_[number] == 0) {
     const double way = inverse_time > 0.0 ? own_.speed(number) / inverse_time : 0.0;  // and the other ply's
@@ -204,9 +207,83 @@ double PlyPassState::find_one(int number, const PlyPassNodes& nodes, PlyFeet& fe
   return loops_of_plies().feet(alone(number, nodes, i), feet, i, i + 1);
 }
 
+// Only what may touch: what rounding brings nearer is less than its border's width.
+void PlyPassState::find_rounded(int number, const PlyPassNodes& nodes, const PlyFeet& feet,
+                                RoundedFeet& rounded) const {
+  const RoundedEdges& edges = other_.edges();
+  const PlyBlock& block = own_.blocks()[number];
+  const auto& position = other_.state().position;
+  const double far = swollen_ ? std::numeric_limits<double>::infinity()
+                              : std::pow(law_.reach - law_.adhesion + edges.greatest_change(), 2);
+  for (int i = 0; i < block.count; ++i) {
+    const int l = block.at + i;
+    if (on_quads_[l] == 0.0 || feet.square[i] > far) continue;
+    const EdgePlace edge = edges.find(place_of(l));
+    if (edge.crossing < 0) continue;
+    const int k = rounded.count++;
+    rounded.node[k] = i;
+    rounded.edge[k] = edge;
+    edges.fill(edge, position, k, rounded.at);
+    for (std::size_t c = 0; c < 3; ++c) {
+      rounded.at.x[c][k] = nodes.x[c][i];
+      rounded.at.n[c][k] = nodes.normals->n[c][i];
+    }
+  }
+}
+
+// The kernel's foot on the cell is where the one on the rounded surface is looked for: some 1e-4 of a cell away where
+// cells meet at 40 degrees. Newton's steps leave 1e-6 and 1e-11.
+void PlyPassState::round_edges(int number, const PlyPassNodes& nodes, PlyFeet& feet, RoundedFeet& rounded) {
+  constexpr int steps = 2;
+  find_rounded(number, nodes, feet, rounded);
+  if (rounded.count == 0) return;
+  const EdgeFeet& at = rounded.at;
+  loops_of_edges().find(RoundedEdges::fill_up(rounded.count, rounded.at), steps, rounded.at);
+  for (int k = 0; k < rounded.count; ++k) {
+    const int i = rounded.node[k], l = own_.blocks()[number].at + i;
+    const SurfacePlace on_cell = place_of(l);
+    SurfacePlace place = on_cell;
+    other_.edges().put({rounded.edge[k].crossing, {at.place[0][k], at.place[1][k]}, {}}, place);
+    put(l, place);
+    feet.dxi[i] += place.xi - on_cell.xi;
+    feet.deta[i] += place.eta - on_cell.eta;
+    const Vec3 s1 = {at.s1[0][k], at.s1[1][k], at.s1[2][k]}, s2 = {at.s2[0][k], at.s2[1][k], at.s2[2][k]},
+               r = {at.r[0][k], at.r[1][k], at.r[2][k]}, n = {at.n[0][k], at.n[1][k], at.n[2][k]};
+    const Vec3 m = cross(s1, s2);
+    const double m_n = dot(m, n);
+    for (std::size_t c = 0; c < 3; ++c) {
+      feet.s1[c][i] = s1[c];
+      feet.s2[c][i] = s2[c];
+      feet.r[c][i] = r[c];
+    }
+    feet.square[i] = dot(r, r);
+    feet.along[i] = dot(r, n);
+    feet.meets[i] = m_n > 0.0 ? std::clamp(4.0 * m_n * m_n / (dot(m, m) * dot(n, n)) - 1.0, 0.0, 1.0) : 0.0;
+  }
+}
+
+// What acts on the other's thickness stays with the corners that it is interpolated between.
+void PlyPassState::give_back_rounded(const RoundedFeet& rounded, const PlyPassNodes& nodes, PlyPassForces& forces,
+                                     PlyReturn& back) const {
+  for (int k = 0; k < rounded.count; ++k) {
+    const int i = rounded.node[k];
+    if (!(forces.acts[i] > 0.0)) continue;
+    forces.acts[i] = 0.0;
+    const double* const force = forces.force + 4 * static_cast<std::size_t>(i);
+    other_.edges().give_back(rounded.edge[k], rounded.at, k, {force[0], force[1], force[2]}, back.force.data(),
+                             back.touched.data());
+    if (!swollen_) continue;
+    for (int a = 0; a < 4; ++a) {
+      const long node = nodes.corner[i] + (a == 0 ? 0 : nodes.beside[a - 1]);
+      back.force[4 * node + 3] -= forces.weight[a][i] * force[3];
+      back.touched[node / ply_segment] = 1;
+    }
+  }
+}
+
 // Quads all at once, triangles one by one.
-void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyPull& pull,
-                         PlyReturn& back) {
+void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, const RoundedFeet& rounded,
+                         double inverse_time, PlyPull& pull, PlyReturn& back) {
   const PlyBlock& block = own_.blocks()[number];
   const PlyLawKind kind = {
       .sheared = law_.shear.intervals > 0, .measured = law_.pressure.intervals > 0, .swollen = swollen_};
@@ -214,20 +291,21 @@ void PlyPassState::press(int number, const PlyPassNodes& nodes, PlyFeet& feet, d
   const auto& press = loops.press[kind.number()];
   const auto& share = swollen_ ? loops.share_swollen : loops.share;
   PlyPassForces forces;
-  const auto press_some = [&](const PlyPassNodes& some, int first, int end) {
+  const auto press_some = [&](const PlyPassNodes& some, int first, int end, const RoundedFeet* on_edges) {
     const PlyPassSums sums = press(law_, inverse_time, some, feet, forces, first, end);
     add_sums(sums, sums_[number]);
     if (!(sums.depth > touch_)) return;
     measured_[number] = 1;
     share(law_, some, feet, pull, forces, first, end);
     make_room(back);
+    if (on_edges != nullptr) give_back_rounded(*on_edges, some, forces, back);
     loops.give_back(first, std::min(end, block.count), some.corner, some.beside, forces, back.force.data(),
                     back.touched.data());
   };
-  press_some(nodes, 0, block.lanes);
+  press_some(nodes, 0, block.lanes, &rounded);
   if (triangles_[number] == 0) return;
   for (int i = 0; i < block.count; ++i)
-    if (is_on_triangle(block.at + i)) press_some(alone(number, nodes, i), i, i + 1);
+    if (is_on_triangle(block.at + i)) press_some(alone(number, nodes, i), i, i + 1, nullptr);
 }
 
 void PlyPassState::make_room(PlyReturn& back) const {
@@ -248,7 +326,7 @@ double PlyPassState::clearance(int number, double depth, double least) const {
     if (other_.surface().outside(place) <= cell_border) return 0.0;  // in a fold
     const double beside = other_.touching().spacing * other_.surface().away(place),
                  over = plain_length(minus(own_.position(own_.node_of(l)),
-                                           other_.surface().point(edge, other_.state().position))) -
+                                           other_.surface().frame(edge, other_.state().position).point)) -
                         reach_at(l, edge) + touch_;
     room = std::min(room, safe_part * std::max(beside, over));
   }
@@ -274,17 +352,8 @@ int PlyPassState::deepest() const {
   return lane < 0 ? -1 : own_.node_of(lane);
 }
 
-PlyPassState::Frame PlyPassState::frame_at(const SurfacePlace& place) const {
-  const auto node = other_.surface().corners(place.facet);
-  const auto& x = other_.state().position;
-  const double twist = other_.surface().is_triangle(place.facet) ? 0.0 : 1.0;
-  Frame frame{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double e3 = twist * (x[c][node[3]] - x[c][node[1]] - x[c][node[2]] + x[c][node[0]]);
-    frame.s1[c] = x[c][node[1]] - x[c][node[0]] + place.eta * e3;
-    frame.s2[c] = x[c][node[2]] - x[c][node[0]] + place.xi * e3;
-  }
-  return frame;
+SurfaceFrame PlyPassState::frame_at(const SurfacePlace& place) const {
+  return other_.edges().frame(place, other_.state().position);
 }
 
 // A spring between a node and the corners of its foot's cell, K (t - sum v_a t_a)^2 / 2: |K_ij| = K |v_i| |v_j|, with
@@ -340,9 +409,8 @@ double PlyPassState::thickness_sum(int lane, const std::array<int, 4>& corner, c
 // The place where the node is now, from that of the material it lay on at first.
 Vec3 PlyPassState::slip(int lane) const {
   if (stiffness_[lane] == 0.0 || origin_facet_[lane] < 0) return {0.0, 0.0, 0.0};
-  const auto& position = other_.state().position;
-  return minus(other_.surface().point(place_of(lane), position),
-               other_.surface().point({origin_facet_[lane], origin_[0][lane], origin_[1][lane]}, position));
+  return minus(frame_at(place_of(lane)).point,
+               frame_at({origin_facet_[lane], origin_[0][lane], origin_[1][lane]}).point);
 }
 
 // The kernel's forces once more, from what it left: the stretch after the cut, and the dampers' share.
@@ -354,7 +422,7 @@ PlyPassState::Press PlyPassState::press(int lane) const {
   const double elastic = law_.pressure.intervals > 0 ? area * table_value(law_.pressure, pressed)
                                                      : k * soft / law_.softening * (pressed - 0.5 * soft);
   press.normal = std::max(elastic + drag_[0][lane], 0.0);
-  const Frame frame = frame_at(place_of(lane));
+  const SurfaceFrame frame = frame_at(place_of(lane));
   const double kt = law_.tangential * k;
   const Vec3 along = plus(scaled(frame.s1, kt * (place_[0][lane] - anchor_[0][lane]) - drag_[1][lane]),
                           scaled(frame.s2, kt * (place_[1][lane] - anchor_[1][lane]) - drag_[2][lane]));

@@ -16,6 +16,7 @@
 #include "solver/contact/ply_face.hpp"
 #include "solver/contact/ply_kernel.hpp"
 #include "solver/contact/ply_surface.hpp"
+#include "solver/contact/rounded_edges.hpp"
 #include "solver/state/contact_state.hpp"
 
 namespace weaveform {
@@ -75,10 +76,18 @@ public:
   void archive(Archive& archive);
 
 private:
-  struct Frame {
-    Vec3 s1, s2;  // mm; S_xi, S_eta
+  // Feet of a block where the other's surface is rounded.
+  struct RoundedFeet {
+    int count;
+    std::array<int, ply_nodes_at_a_time> node;  // of the block
+    std::array<EdgePlace, ply_nodes_at_a_time> edge;
+    EdgeFeet at;
   };
-  [[nodiscard]] Frame frame_at(const SurfacePlace& place) const;
+  [[nodiscard]] SurfaceFrame frame_at(const SurfacePlace& place) const;
+  void round_edges(int block, const PlyPassNodes& nodes, PlyFeet& feet, RoundedFeet& rounded);
+  void find_rounded(int block, const PlyPassNodes& nodes, const PlyFeet& feet, RoundedFeet& rounded) const;
+  void give_back_rounded(const RoundedFeet& rounded, const PlyPassNodes& nodes, PlyPassForces& forces,
+                         PlyReturn& back) const;
   [[nodiscard]] std::vector<Doubles*> numbers();
   void turn_on(int lane, const SurfacePlace& place, double depth);
   void turn_off(int lane);
@@ -103,7 +112,8 @@ private:
   [[nodiscard]] bool is_on_triangle(int lane) const;
   [[nodiscard]] PlyPassNodes alone(int block, const PlyPassNodes& nodes, int i) const;
   double find_one(int block, const PlyPassNodes& nodes, PlyFeet& feet, int i);
-  void press(int block, const PlyPassNodes& nodes, PlyFeet& feet, double inverse_time, PlyPull& pull, PlyReturn& back);
+  void press(int block, const PlyPassNodes& nodes, PlyFeet& feet, const RoundedFeet& rounded, double inverse_time,
+             PlyPull& pull, PlyReturn& back);
   void make_room(PlyReturn& back) const;
 
   PlyFace& own_;

@@ -178,14 +178,18 @@ SurfacePlace PlySurface::near(const Vec2& material) const {
   return nearest;
 }
 
-Vec3 PlySurface::point(const SurfacePlace& place, const Components& position) const {
+SurfaceFrame PlySurface::frame(const SurfacePlace& place, const Components& position) const {
   const auto node = corners(place.facet);
-  const double n3 = is_triangle(place.facet) ? 0.0 : place.xi * place.eta;
-  const double weight[4] = {1.0 - place.xi - place.eta + n3, place.xi - n3, place.eta - n3, n3};
-  Vec3 at = {0.0, 0.0, 0.0};
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t k = 0; k < 4; ++k) at[c] += weight[k] * position[c][node[k]];
-  return at;
+  const double twist = is_triangle(place.facet) ? 0.0 : 1.0;
+  SurfaceFrame frame;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double x0 = position[c][node[0]], e1 = position[c][node[1]] - x0, e2 = position[c][node[2]] - x0;
+    const double e3 = twist * (position[c][node[3]] - position[c][node[1]] - e2);
+    frame.s1[c] = e1 + place.eta * e3;
+    frame.s2[c] = e2 + place.xi * e3;
+    frame.point[c] = x0 + place.xi * e1 + place.eta * frame.s2[c];
+  }
+  return frame;
 }
 
 bool PlySurface::follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, const Components& position) const {
@@ -193,16 +197,8 @@ bool PlySurface::follow(SurfacePlace& place, const Vec3& x, const Vec3& normal, 
   constexpr double there = 1e-12;  // of a cell
   constexpr double longest = 1.5;  // cells in one move: a bilinear cell bends when it is left far behind
   for (int move = 0; move < most_moves; ++move) {
-    const auto node = corners(place.facet);
-    const double twist = is_triangle(place.facet) ? 0.0 : 1.0;
-    Vec3 s1, s2, r;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double x0 = position[c][node[0]], e1 = position[c][node[1]] - x0, e2 = position[c][node[2]] - x0;
-      const double e3 = twist * (position[c][node[3]] - position[c][node[1]] - e2);
-      s1[c] = e1 + place.eta * e3;
-      s2[c] = e2 + place.xi * e3;
-      r[c] = x[c] - x0 - place.xi * e1 - place.eta * s2[c];
-    }
+    const auto [point, s1, s2] = frame(place, position);
+    const Vec3 r = minus(x, point);
     const Vec3 a = cross(s2, normal), b = cross(normal, s1);
     const double determinant = dot(s1, a);
     if (!(determinant > 0.02 * plain_length(s1) * plain_length(s2) * plain_length(normal))) return false;

@@ -22,6 +22,11 @@ struct SurfacePlace {
   double xi = 0.0, eta = 0.0;
 };
 
+// S, and its slopes along xi and eta.
+struct SurfaceFrame {
+  Vec3 point = {0.0, 0.0, 0.0}, s1 = {0.0, 0.0, 0.0}, s2 = {0.0, 0.0, 0.0};  // mm
+};
+
 class PlySurface {
 public:
   PlySurface(const Mesh& mesh, const PackedMesh& packed);
@@ -49,7 +54,7 @@ public:
   // The same, or the place on the nearest facet within two cells; nowhere beyond.
   [[nodiscard]] SurfacePlace near(const Vec2& material) const;
 
-  [[nodiscard]] Vec3 point(const SurfacePlace& place, const Components& position) const;  // mm
+  [[nodiscard]] SurfaceFrame frame(const SurfacePlace& place, const Components& position) const;
   // Moves the place to where the line through x along `normal` meets the surface around its facet, from facet to facet;
   // where that leads off the ply, the place is on the last one, outside it. False where the line runs along the surface,
   // or the way is too long.
