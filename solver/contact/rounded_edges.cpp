@@ -8,8 +8,9 @@
 namespace weaveform {
 namespace {
 
-constexpr double rounded_within = 0.005;  // cells; b
-constexpr double least_angle = 1e-3;      // rad; a force that turns by less does no work to speak of
+// rad; a force that turns by less hardly misses the work of the step it turns in, and the surface that is rounded from
+// there on moves by 1e-5 of a cell
+constexpr double least_angle = 0.01;
 
 // Quads around a crossing.
 constexpr unsigned south_west = 1, south_east = 2, north_west = 4, north_east = 8, all_four = 15;
@@ -184,12 +185,11 @@ void RoundedEdges::spread_along_lines() {
   }
 }
 
-EdgePlace RoundedEdges::find(const SurfacePlace& place) const {
-  if (!any_ || surface_.is_triangle(place.facet)) return no_edge;
+EdgePlace RoundedEdges::find_near(const SurfacePlace& place) const {
+  if (surface_.is_triangle(place.facet)) return no_edge;
   const bool east = place.xi > 0.5, north = place.eta > 0.5;
   const Vec2 from = {east ? place.xi - 1.0 : place.xi, north ? place.eta - 1.0 : place.eta};
   const bool by_column = std::abs(from[0]) < rounded_within, by_row = std::abs(from[1]) < rounded_within;
-  if (!by_column && !by_row) return no_edge;
   const int node = place.facet + (east ? 1 : 0) + (north ? stride_ : 0);
   unsigned about = static_cast<unsigned>(bent_[node]) & ((by_column ? 1U : 0U) | (by_row ? 2U : 0U));
   if (about == 0) return no_edge;
@@ -258,16 +258,15 @@ void RoundedEdges::fill(const EdgePlace& edge, const Components& position, int l
 }
 
 int RoundedEdges::fill_up(int count, EdgeFeet& feet) {
-  int lane = count;
-  for (; lane % edge_feet_padded_to != 0; ++lane) {
-    for (auto& component : feet.crossing)
-      for (auto& one : component) one[lane] = one[0];
-    for (auto* vectors : {&feet.x, &feet.n})
-      for (auto& component : *vectors) component[lane] = component[0];
-    for (auto* pairs : {&feet.border, &feet.place})
-      for (auto& one : *pairs) one[lane] = one[0];
-  }
-  return lane;
+  const int end = (count + edge_feet_padded_to - 1) / edge_feet_padded_to * edge_feet_padded_to;
+  const auto fill_lanes = [count, end](auto& lanes) { std::fill(lanes + count, lanes + end, lanes[0]); };
+  for (auto& component : feet.crossing)
+    for (auto& one : component) fill_lanes(one);
+  for (auto* vectors : {&feet.x, &feet.n})
+    for (auto& component : *vectors) fill_lanes(component);
+  for (auto* pairs : {&feet.border, &feet.place})
+    for (auto& one : *pairs) fill_lanes(one);
+  return end;
 }
 
 void RoundedEdges::give_back(const EdgePlace& edge, const EdgeFeet& feet, int lane, const Vec3& force, double* into,

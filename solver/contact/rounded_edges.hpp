@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct EdgePlace {
   Vec2 from;     // cells; from it
   Vec2 border;   // b along warp and weft, or which chord
 };
+inline constexpr double rounded_within = 0.005;  // cells; b
 inline constexpr EdgePlace no_edge = {-1, {0.0, 0.0}, {0.0, 0.0}};
 
 class RoundedEdges {
@@ -45,7 +47,11 @@ public:
   // mm; by no more does rounding move the surface, where cells meet at less than two right angles.
   [[nodiscard]] double greatest_change() const { return greatest_change_; }
 
-  [[nodiscard]] EdgePlace find(const SurfacePlace& place) const;
+  [[nodiscard]] EdgePlace find(const SurfacePlace& place) const {
+    const bool inside = std::abs(std::abs(place.xi - 0.5) - 0.5) >= rounded_within &&
+                        std::abs(std::abs(place.eta - 0.5) - 0.5) >= rounded_within;
+    return inside || !any_ ? no_edge : find_near(place);
+  }
   // The same place on a facet beside the crossing.
   void put(const EdgePlace& edge, SurfacePlace& place) const;
   // The surface's point and slopes, rounded or not.
@@ -73,6 +79,7 @@ private:
     enum class Kind { none, columns, rows, diagonal } kind = Kind::none;
     int sum = 0, sign = 1;
   };
+  [[nodiscard]] EdgePlace find_near(const SurfacePlace& place) const;
   void find_reflections(const Mesh& mesh);
   void find_rings();
   [[nodiscard]] std::array<int, 2> image(std::array<int, 2> crossing, unsigned planes) const;
