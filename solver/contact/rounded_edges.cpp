@@ -160,14 +160,14 @@ void RoundedEdges::look(const Components& position) {
     const unsigned quads = quads_[node];
     if (quads == 0) continue;
     const auto has = [quads](unsigned both) { return (quads & both) == both; };
-    const auto [west, east, south, north, here] = around(node, position);
-    const Vec3 normal = cross(minus(east, west), minus(north, south));
+    const auto at = around(node, position);
+    const Vec3 normal = cross(minus(at[1], at[0]), minus(at[3], at[2]));
     const auto rises = [&](const Vec3& before, const Vec3& after) {
-      const double out = dot(minus(plus(before, after), scaled(here, 2.0)), normal);
+      const double out = dot(minus(plus(before, after), scaled(at[4], 2.0)), normal);
       return out * out > least_square_ * dot(normal, normal);
     };
-    if ((has(south_west | south_east) || has(north_west | north_east)) && rises(west, east)) bent_here_[node] |= 1;
-    if ((has(south_west | north_west) || has(south_east | north_east)) && rises(south, north)) bent_here_[node] |= 2;
+    if ((has(south_west | south_east) || has(north_west | north_east)) && rises(at[0], at[1])) bent_here_[node] |= 1;
+    if ((has(south_west | north_west) || has(south_east | north_east)) && rises(at[2], at[3])) bent_here_[node] |= 2;
     any_ = any_ || bent_here_[node] != 0;
   }
   spread_along_lines();
@@ -216,8 +216,10 @@ EdgePlace RoundedEdges::find_near(const SurfacePlace& place) const {
 }
 
 void RoundedEdges::put(const EdgePlace& edge, SurfacePlace& place) const {
-  place.xi = edge.from[0] + (edge.crossing % stride_ - place.facet % stride_);
-  place.eta = edge.from[1] + (edge.crossing / stride_ - place.facet / stride_);
+  const int columns = edge.crossing % stride_ - place.facet % stride_,
+            rows = edge.crossing / stride_ - place.facet / stride_;
+  place.xi = edge.from[0] + columns;
+  place.eta = edge.from[1] + rows;
 }
 
 SurfaceFrame RoundedEdges::frame(const SurfacePlace& place, const Components& position) const {
