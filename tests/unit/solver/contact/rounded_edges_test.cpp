@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
+#include "mesher/symmetry/cut_part.hpp"
+#include "mesher/tools/tool.hpp"
 #include "solver/contact/ply_face.hpp"
 #include "solver/contact/ply_kernel.hpp"
 #include "tests/support/stack.hpp"
@@ -131,6 +134,64 @@ TEST_F(RoundedEdgesTest, FlatPliesHaveNone) {
   stack_.place(0, [](const Vec3& x) -> Vec3 { return {1.01 * x[0] + 0.1 * x[1], x[1], 0.3 * x[0] - 0.2 * x[1]}; });
   face_.edges().look(position());
   EXPECT_FALSE(edges().any());
+}
+
+// A ply that its mirror planes map onto itself, bent likewise.
+struct Bent {
+  Team team{1};
+  std::unique_ptr<Ply> ply;
+  std::unique_ptr<PlyFace> face;
+  Bent(const Mesh& whole, const SymmetricPart* part, const Scene& scene, const Card& card)
+      : ply(std::make_unique<Ply>(PlySetup{.whole = whole, .part = part, .scene = scene, .card = card, .team = team})),
+        face(std::make_unique<PlyFace>(*ply, "ply")) {
+    const Mesh& mesh = ply->mesh();
+    for (int n = 0; n < mesh.node_count(); ++n) {
+      const auto& x = mesh.nodes.position[n];
+      const double a = x[0] / 30.0, b = x[1] / 40.0;
+      const Vec3 bent = {x[0] * (1.01 + 0.05 * b * b), x[1] * (1.0 + 0.08 * a * a), 3.0 * a * a + 2.0 * b * b};
+      for (std::size_t c = 0; c < 3; ++c) ply->state().position[c][ply->packed().packed_of_mesh[n]] = bent[c];
+    }
+    ply->follow();
+    face->edges().look(ply->state().position);
+  }
+  [[nodiscard]] const Components& position() const { return ply->state().position; }
+};
+
+// Crossings beyond a plane, and what lies on them, are images.
+TEST(RoundedEdges, AQuarterIsRoundedAsTheWhole) {
+  for (const double angle : {0.0, 45.0})
+    for (const double phase : {0.0, 0.5}) {
+      Scene scene = piece({60.0, 80.0}, 1.0, angle, 0.0);
+      scene.blank.phase = {phase, phase};
+      scene.model.symmetry = SymmetryUse::quarter;
+      const Card card = load_card(scene.fabric.material);
+      const Mesh mesh = build_mesh(scene, card);
+      const SymmetricPart part = cut_part(mesh, find_symmetry(scene, card, mesh, make_tools(scene, mesh)));
+      const Bent whole(mesh, nullptr, scene, card), quarter(mesh, &part, scene, card);
+      int rounded = 0;
+      for (int n = 0; n < part.mesh.node_count(); ++n) {
+        const int facet = quarter.ply->packed().packed_of_mesh[n],
+                  there = whole.ply->packed().packed_of_mesh[part.mesh.symmetry.whole_node[n]];
+        if (facet >= quarter.ply->packed().lattice_nodes() || !quarter.face->surface().exists(facet)) continue;
+        ASSERT_TRUE(whole.face->surface().exists(there));
+        for (const double xi : {0.0, 0.002, 0.4, 0.998, 1.0})
+          for (const double eta : {0.0, 0.001, 0.6, 0.997, 1.0}) {
+            const auto expected = whole.face->edges().frame({there, xi, eta}, whole.position());
+            bool beyond = false;
+            for (const auto& plane : part.mesh.symmetry.plane)
+              beyond = beyond || dot(minus(expected.point, plane.point), plane.normal) < -1e-9;
+            if (beyond) continue;
+            const auto found = quarter.face->edges().frame({facet, xi, eta}, quarter.position());
+            rounded += quarter.face->edges().find({facet, xi, eta}).crossing >= 0 ? 1 : 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+              EXPECT_NEAR(found.point[c], expected.point[c], 1e-11) << angle << " deg, phase " << phase;
+              EXPECT_NEAR(found.s1[c], expected.s1[c], 1e-11) << angle << " deg, phase " << phase;
+              EXPECT_NEAR(found.s2[c], expected.s2[c], 1e-11) << angle << " deg, phase " << phase;
+            }
+          }
+      }
+      EXPECT_GT(rounded, 200);
+    }
 }
 
 }  // namespace
