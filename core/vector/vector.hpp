@@ -45,6 +45,11 @@ template <std::size_t N>
   return a[0] * b[1] - a[1] * b[0];
 }
 
+// Of a matrix by its rows.
+[[nodiscard]] inline Vec3 times(const std::array<Vec3, 3>& rows, const Vec3& a) {
+  return {dot(rows[0], a), dot(rows[1], a), dot(rows[2], a)};
+}
+
 [[nodiscard]] inline double length(const Vec2& a) {
   return std::hypot(a[0], a[1]);
 }

@@ -3,13 +3,6 @@
 #include "core/vector/vector.hpp"
 
 namespace weaveform {
-namespace {
-
-Vec3 times(const std::array<Vec3, 3>& rows, const Vec3& v) {
-  return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
-}
-
-}  // namespace
 
 MirrorPlanes::MirrorPlanes(const Mesh& mesh, PackedMesh& packed)
     : plane_(mesh.symmetry.plane), on_plane_(mesh.symmetry.on_plane) {

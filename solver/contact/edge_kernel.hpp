@@ -8,25 +8,25 @@
 // S = sum N_a(u) N_b(v) x_ab.
 #pragma once
 
+#include "solver/contact/ply_kernel.hpp"
+
 namespace weaveform {
 
-inline constexpr int edge_feet_at_a_time = 64;
-inline constexpr int edge_feet_padded_to = 8;
 // In place of b.
 inline constexpr double on_chord_after = 0.0, on_chord_before = -1.0;
 
 // Anything finite in the lanes that fill a vector up.
 struct EdgeFeet {
   // mm; of the crossing and the eight around it, 3 * row + column, warp lines by column
-  alignas(64) double crossing[3][9][edge_feet_at_a_time];
-  alignas(64) double x[3][edge_feet_at_a_time];       // mm; the node
-  alignas(64) double n[3][edge_feet_at_a_time];       // its normal, of any length
-  alignas(64) double border[2][edge_feet_at_a_time];  // cells; b
-  alignas(64) double place[2][edge_feet_at_a_time];   // cells; (u, v), moved
+  alignas(64) double crossing[3][9][ply_nodes_at_a_time];
+  alignas(64) double x[3][ply_nodes_at_a_time];       // mm; the node
+  alignas(64) double n[3][ply_nodes_at_a_time];       // its normal, of any length
+  alignas(64) double border[2][ply_nodes_at_a_time];  // cells; b
+  alignas(64) double place[2][ply_nodes_at_a_time];   // cells; (u, v), moved
   // there
-  alignas(64) double s1[3][edge_feet_at_a_time], s2[3][edge_feet_at_a_time];  // mm; S_u, S_v
-  alignas(64) double r[3][edge_feet_at_a_time];                               // mm; x - S
-  alignas(64) double weight[2][3][edge_feet_at_a_time];                       // N along u and v
+  alignas(64) double s1[3][ply_nodes_at_a_time], s2[3][ply_nodes_at_a_time];  // mm; S_u, S_v
+  alignas(64) double r[3][ply_nodes_at_a_time];                               // mm; x - S
+  alignas(64) double weight[2][3][ply_nodes_at_a_time];                       // N along u and v
 };
 
 // `steps` of Newton's towards where the line from x along n meets the surface, and what is there. A foot whose line runs

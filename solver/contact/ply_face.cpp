@@ -12,7 +12,7 @@ PlyFace::PlyFace(Ply& ply, std::string name, ShearedThickness* sheared)
       name_(std::move(name)),
       sheared_(sheared),
       surface_(ply.mesh(), ply.packed()),
-      edges_(ply.mesh(), ply.packed(), surface_),
+      edges_(ply, surface_),
       arms_(ply.mesh(), ply.packed(), ply.state().position, node_arms(ply.mesh(), ply.packed())),
       mesh_of_packed_(ply.packed().nodes, -1) {
   const Mesh& mesh = ply.mesh();

@@ -13,15 +13,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "core/vector/vector.hpp"
-#include "mesher/mesh/mesh.hpp"
+#include "solver/contact/crossing_rings.hpp"
 #include "solver/contact/edge_kernel.hpp"
 #include "solver/contact/ply_surface.hpp"
 #include "solver/state/archive.hpp"
-#include "solver/state/packed.hpp"
 #include "solver/state/state.hpp"
 
 namespace weaveform {
@@ -37,8 +35,8 @@ inline constexpr EdgePlace no_edge = {-1, {0.0, 0.0}, {0.0, 0.0}};
 
 class RoundedEdges {
 public:
-  // All must outlive this.
-  RoundedEdges(const Mesh& mesh, const PackedMesh& packed, const PlySurface& surface);
+  // Both must outlive this.
+  RoundedEdges(const Ply& ply, const PlySurface& surface);
 
   // Finds the edges that have an angle now.
   void look(const Components& position);
@@ -68,44 +66,16 @@ public:
   void archive(Archive& archive);
 
 private:
-  struct Crossing {
-    int node = -1;        // packed; -1: there is none
-    unsigned planes = 0;  // its image in every mirror plane whose bit is set
-  };
-  using Ring = std::array<Crossing, 9>;  // of a crossing and those around it; 3 * row + column
-  // A mirror plane that goes through crossings: (i, j) to (sum - i, j), (i, sum - j), or, along diagonals, to
-  // (sum + sign j, sign (i - sum)).
-  struct Reflection {
-    enum class Kind { none, columns, rows, diagonal } kind = Kind::none;
-    int sum = 0, sign = 1;
-  };
   [[nodiscard]] EdgePlace find_near(const SurfacePlace& place) const;
-  void find_reflections(const Mesh& mesh);
-  void find_rings();
-  [[nodiscard]] std::array<int, 2> image(std::array<int, 2> crossing, unsigned planes) const;
-  [[nodiscard]] bool can_mirror(unsigned planes) const;
-  [[nodiscard]] Crossing crossing(int i, int j) const;
-  [[nodiscard]] bool is_quad(int i, int j) const;
-  [[nodiscard]] bool quad_or_image(int i, int j) const;
-  [[nodiscard]] Vec3 mirrored(const Vec3& vector, unsigned planes) const;
-  [[nodiscard]] Vec3 position_of(const Crossing& crossing, const Components& position) const;
-  [[nodiscard]] std::array<Vec3, 5> around(int node, const Components& position) const;
-  void spread_along_lines();
+  [[nodiscard]] int bent_at(int node, const Components& position) const;
 
   const PlySurface& surface_;
-  const std::vector<SymmetryPlane>& plane_;
-  std::vector<std::array<Vec3, 3>> mirror_;  // rows, for every set of planes
-  std::vector<Vec3> mirrored_origin_;        // mm; likewise
-  int stride_, rows_;
+  CrossingRings rings_;
   double least_square_;     // mm^2
   double greatest_change_;  // mm
-  std::vector<char> exists_;
-  std::vector<Reflection> reflection_;
-  // per lattice node
-  std::vector<std::uint8_t> quads_;  // which of the four around it there are
-  std::vector<int> irregular_;       // of a crossing whose ring is not made of the nodes around it: its number; -1
-  std::vector<Ring> irregular_ring_;
-  std::vector<int> bent_, bent_here_;  // coordinates across whose line it is an edge: bit 0 warp's, bit 1 weft's
+  // Per lattice node: the coordinates across whose line, here or a crossing further along it, cells meet at an angle;
+  // bit 0 warp's, bit 1 weft's.
+  std::vector<int> bent_;
   bool any_ = false;
 };
 
