@@ -9,9 +9,11 @@ namespace weaveform {
 namespace {
 
 // rad; a force that turns by less hardly misses the work of the step it turns in, and the surface that is rounded from
-// there on moves by 1e-5 of a cell
+// there on moves by 1e-4 of the thickness
 constexpr double least_angle = 0.01;
-constexpr int ways_round = 9;  // places of a ring
+constexpr double part_of_thickness = 0.05;  // w
+constexpr double widest = 0.1;              // cells; b
+constexpr int ways_round = 9;               // places of a ring
 
 bool has(unsigned quads, unsigned both) {
   return (quads & both) == both;
@@ -28,8 +30,10 @@ bool is_edge(unsigned quads, unsigned own, unsigned other, bool reaches_other) {
 RoundedEdges::RoundedEdges(const Ply& ply, const PlySurface& surface)
     : surface_(surface),
       rings_(ply),
+      border_{std::min(part_of_thickness * ply.mesh().thickness / ply.mesh().spacing[0], widest),
+              std::min(part_of_thickness * ply.mesh().thickness / ply.mesh().spacing[1], widest)},
       least_square_(std::pow(least_angle * std::min(ply.mesh().spacing[0], ply.mesh().spacing[1]), 2)),
-      greatest_change_(rounded_within * std::max(ply.mesh().spacing[0], ply.mesh().spacing[1])),
+      greatest_change_(2.0 * part_of_thickness * ply.mesh().thickness),
       bent_(rings_.size(), 0) {}
 
 // The angle of an edge times a cell's length is the second difference of the crossings across it, out of the plane.
@@ -67,17 +71,15 @@ EdgePlace RoundedEdges::find_near(const SurfacePlace& place) const {
   const bool west = place.xi > 0.5, south = place.eta > 0.5;
   const int node = place.facet + (west ? 1 : 0) + (south ? rings_.stride() : 0);
   const Vec2 from = {west ? place.xi - 1.0 : place.xi, south ? place.eta - 1.0 : place.eta};
-  const bool near_column = std::abs(from[0]) < rounded_within, near_row = std::abs(from[1]) < rounded_within;
+  const bool near_column = std::abs(from[0]) < border_[0], near_row = std::abs(from[1]) < border_[1];
   const unsigned quads = rings_.quads(node), bent = static_cast<unsigned>(bent_[node]);
   const unsigned row = south ? south_west | south_east : north_west | north_east,
                  column = west ? south_west | north_west : south_east | north_east;
   const bool over_column = near_column && (bent & 1U) != 0 && is_edge(quads, row, all_four & ~row, near_row),
              over_row = near_row && (bent & 2U) != 0 && is_edge(quads, column, all_four & ~column, near_column);
   if (!over_column && !over_row) return no_edge;
-  const auto border = [](bool over, bool before) {
-    return over ? rounded_within : (before ? on_chord_before : on_chord_after);
-  };
-  return {node, from, {border(over_column, west), border(over_row, south)}};
+  const auto chord = [](bool before) { return before ? on_chord_before : on_chord_after; };
+  return {node, from, {over_column ? border_[0] : chord(west), over_row ? border_[1] : chord(south)}};
 }
 
 void RoundedEdges::put(const EdgePlace& edge, SurfacePlace& place) const {

@@ -4,8 +4,12 @@
 // turns at once by the angle between the two, and a step over the edge has the work of neither: eight plies over coarse
 // cells gained a sixth of their energy so. Within b of a line of crossings the surface is therefore the mean of the
 // cells' own over 2 b across the line (edge_kernel.hpp), which has no edge. Its N_a sum to 1, and to the material's own
-// coordinates, so that forces are those of a potential as on the cells (ply_kernel.hpp). A ridge is lower for it by b/4
-// of its angle times the length of a cell, a valley higher.
+// coordinates, so that forces are those of a potential as on the cells (ply_kernel.hpp).
+//
+// Width. b cells of length h are w = b h, a twentieth of the ply's thickness. A ridge is lower for it by w/4 times its
+// angle theta and a valley higher, 1 % of the thickness at 45 degrees; and a force N that turns by theta over 2 w is a
+// spring N theta/(2 w) across the edge, of a node p deep on a spring k no more than k p theta/(2 w): narrower, and nodes
+// that are pressed hard would be too stiff for the step.
 //
 // Not rounded are edges that no second quad lies on (the ply's own, a hole's, those of the triangles that the outline
 // leaves), and those whose angle is next to nothing.
@@ -30,7 +34,6 @@ struct EdgePlace {
   Vec2 from;     // cells; from it
   Vec2 border;   // b along warp and weft, or which chord
 };
-inline constexpr double rounded_within = 0.005;  // cells; b
 inline constexpr EdgePlace no_edge = {-1, {0.0, 0.0}, {0.0, 0.0}};
 
 class RoundedEdges {
@@ -42,12 +45,12 @@ public:
   void look(const Components& position);
   [[nodiscard]] bool any() const { return any_; }
 
-  // mm; by no more does rounding move the surface, where cells meet at less than two right angles.
+  // mm; by no more does rounding move the surface.
   [[nodiscard]] double greatest_change() const { return greatest_change_; }
 
   [[nodiscard]] EdgePlace find(const SurfacePlace& place) const {
-    const bool inside = std::abs(std::abs(place.xi - 0.5) - 0.5) >= rounded_within &&
-                        std::abs(std::abs(place.eta - 0.5) - 0.5) >= rounded_within;
+    const bool inside = std::abs(std::abs(place.xi - 0.5) - 0.5) >= border_[0] &&
+                        std::abs(std::abs(place.eta - 0.5) - 0.5) >= border_[1];
     return inside || !any_ ? no_edge : find_near(place);
   }
   // The same place on a facet beside the crossing.
@@ -71,6 +74,7 @@ private:
 
   const PlySurface& surface_;
   CrossingRings rings_;
+  Vec2 border_;             // cells; b along warp and weft
   double least_square_;     // mm^2
   double greatest_change_;  // mm
   // Per lattice node: the coordinates across whose line, here or a crossing further along it, cells meet at an angle;
