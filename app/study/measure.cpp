@@ -20,9 +20,7 @@ namespace weaveform::study {
 
 namespace {
 
-using Json = nlohmann::json;
-
-std::optional<double> number_of(const Json& json) {
+std::optional<double> number_of(const nlohmann::json& json) {
   if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
   if (json.is_boolean()) return json.get<bool>() ? 1.0 : 0.0;
   if (json.is_number()) return json.get<double>();
@@ -30,7 +28,7 @@ std::optional<double> number_of(const Json& json) {
 }
 
 // The number at the end of the path. A name in the file may itself hold dots, so each name that fits is followed.
-std::optional<double> find_number(const Json& json, const std::string& path) {
+std::optional<double> find_number(const nlohmann::json& json, const std::string& path) {
   if (path.empty()) return number_of(json);
   if (!json.is_structured()) return std::nullopt;
   for (const auto& item : json.items()) {
@@ -44,21 +42,21 @@ std::optional<double> find_number(const Json& json, const std::string& path) {
   return std::nullopt;
 }
 
-void list_numbers(const Json& json, const std::string& path, std::vector<std::string>& names) {
+void list_numbers(const nlohmann::json& json, const std::string& path, std::vector<std::string>& names) {
   if (number_of(json)) names.push_back(path);
   if (!json.is_structured()) return;
   for (const auto& item : json.items())
     list_numbers(item.value(), path.empty() ? item.key() : path + "." + item.key(), names);
 }
 
-Json read_summary(const std::filesystem::path& file) {
-  Json json = Json::parse(read_text_file(file), nullptr, false);
+nlohmann::json read_summary(const std::filesystem::path& file) {
+  nlohmann::json json = nlohmann::json::parse(read_text_file(file), nullptr, false);
   if (json.is_discarded()) throw InputError(fmt::format("{}: not JSON; run the case again", file.string()));
   return json;
 }
 
 double from_summary(const std::filesystem::path& file, const std::string& name) {
-  const Json json = read_summary(file);
+  const nlohmann::json json = read_summary(file);
   if (const auto number = find_number(json, name)) return *number;
   std::vector<std::string> names;
   list_numbers(json, "", names);
@@ -94,9 +92,9 @@ double measure(const std::filesystem::path& directory, const std::string& name) 
 
 std::vector<std::string> warnings_of(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / file_name::summary;
-  const Json json = read_summary(file);
+  const nlohmann::json json = read_summary(file);
   const auto found = json.find("warnings");
-  const auto is_text = [](const Json& item) { return item.is_string(); };
+  const auto is_text = [](const nlohmann::json& item) { return item.is_string(); };
   if (found == json.end() || !found->is_array() || !std::all_of(found->begin(), found->end(), is_text))
     throw InputError(fmt::format("{}: has no list of warnings; run the case again", file.string()));
   return found->get<std::vector<std::string>>();

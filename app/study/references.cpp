@@ -14,10 +14,6 @@ namespace {
 
 using References = std::vector<std::optional<Reference>>;
 
-bool is_done(const Row& row) {
-  return row.outcome && row.outcome->exit_code == 0;
-}
-
 bool fits(const Case& one, const Variant& pick) {
   const auto has = [&](const Setting& wanted) {
     const Setting* setting = setting_of(one, wanted.key);

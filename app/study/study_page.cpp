@@ -21,10 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool is_done(const Row& row) {
-  return row.outcome && row.outcome->exit_code == 0;
-}
-
 std::string outcome_words(const Row& row) {
   if (!row.outcome) return "not run";
   return is_done(row) ? "done" : row.outcome->error;

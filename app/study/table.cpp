@@ -36,6 +36,10 @@ bool ends_like_another(const Table& table, const std::string& key) {
 
 }  // namespace
 
+bool is_done(const Row& row) {
+  return row.outcome && row.outcome->exit_code == 0;
+}
+
 std::string plain_value(const std::string& toml) {
   const bool quoted = toml.size() > 1 && (toml.front() == '"' || toml.front() == '\'') && toml.back() == toml.front();
   return quoted ? toml.substr(1, toml.size() - 2) : toml;
@@ -69,7 +73,7 @@ Table collect(const Study& study, const std::vector<Case>& cases, std::vector<st
   for (const Case& one : cases) {
     const CaseFiles files = case_files(study_folder, one.name);
     Row row{one, outcome(files, one.text), std::vector<double>(table.measures.size(), no_number), no_number, no_number};
-    if (row.outcome && row.outcome->exit_code == 0) {
+    if (is_done(row)) {
       row.size = mesh_size(files.results);
       row.wall = wall_of(files);
       for (std::size_t m = 0; m < table.measures.size(); ++m) {
@@ -119,7 +123,7 @@ std::string to_markdown(const Table& table, std::size_t measure_columns) {
   for (const Row& row : table.row) {
     text += "\n|";
     for (const std::string& key : table.keys) text += fmt::format(" {} |", plain_value(row.one, key));
-    const bool done = row.outcome && row.outcome->exit_code == 0;
+    const bool done = is_done(row);
     for (std::size_t m = 0; m < measure_columns; ++m) text += fmt::format(" {} |", csv_number(row.value[m], 6));
     text += done ? fmt::format(" {:.3g} s |", row.wall) : row.outcome ? " failed |" : " not run |";
   }

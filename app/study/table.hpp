@@ -21,6 +21,9 @@ struct Row {
   double wall = 0.0;               // s; of its solve, the median of `repeats`; not a number when the case is not done
 };
 
+// The case has run, and to its end.
+[[nodiscard]] bool is_done(const Row& row);
+
 struct Table {
   std::vector<std::string> keys;      // varied
   std::vector<std::string> measures;  // columns of Row::value

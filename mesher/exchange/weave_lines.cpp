@@ -111,7 +111,7 @@ private:
   std::string rest_;
 };
 
-constexpr int most = 100'000'000;  // of anything in one file
+constexpr int most_of_anything = 100'000'000;  // of anything in one file
 
 void read_nodes(LineReader& in, int count, MeshNodes& nodes, const std::array<int, 2>& lattice) {
   for (int n = 0; n < count; ++n) {
@@ -144,7 +144,7 @@ void read_cells(LineReader& in, int count, int nodes, MeshCells& cells) {
     const int size = in.whole(3, 7);
     const double area = in.real();
     std::array<int, 2> lattice{};
-    for (int& index : lattice) index = in.whole(-1, most);
+    for (int& index : lattice) index = in.whole(-1, most_of_anything);
     in.done();
     std::vector<int> node;
     std::vector<Vec2> coefficient;
@@ -178,14 +178,14 @@ WovenMesh read_weave_lines(const std::vector<NumberedLine>& lines, const std::st
   WovenMesh woven;
   Mesh& mesh = woven.mesh;
   in.expect("weave");
-  if (in.whole(0, most) != 1) in.fail("only version 1 of the weaveform lines is known");
+  if (in.whole(0, most_of_anything) != 1) in.fail("only version 1 of the weaveform lines is known");
   in.expect("size");
   std::array<int, 5> size{};
-  for (int& count : size) count = in.whole(0, most);
+  for (int& count : size) count = in.whole(0, most_of_anything);
   in.expect("spacing");
   for (double& h : mesh.spacing) h = in.real();
   in.expect("lattice");
-  for (int& count : mesh.lattice_size) count = in.whole(0, most);
+  for (int& count : mesh.lattice_size) count = in.whole(0, most_of_anything);
   in.expect("thickness");
   mesh.thickness = in.real();
   in.expect("frame");

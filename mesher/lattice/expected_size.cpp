@@ -13,7 +13,7 @@ namespace {
 
 constexpr double outlying = 5.0;  // the box's area with the corner over that without it
 
-struct Bounds {
+struct OutlineBox {
   std::array<double, 2> low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL};
   void take_in(const std::array<double, 2>& p) {
     for (std::size_t c = 0; c < 2; ++c) {
@@ -26,12 +26,12 @@ struct Bounds {
 };
 
 // Only a corner that alone reaches a side of the box can be one: there are four candidates at most.
-std::string find_outlier(const std::vector<OutlineLoop>& loops, const Bounds& box) {
+std::string find_outlier(const std::vector<OutlineLoop>& loops, const OutlineBox& box) {
   for (const auto& loop : loops)
     for (std::size_t k = 0; k < loop.point.size(); ++k) {
       const auto& p = loop.point[k];
       if (p[0] != box.low[0] && p[0] != box.high[0] && p[1] != box.low[1] && p[1] != box.high[1]) continue;
-      Bounds without;
+      OutlineBox without;
       for (const auto& other : loops)
         for (std::size_t n = 0; n < other.point.size(); ++n)
           if (&other != &loop || n != k) without.take_in(other.point[n]);
@@ -52,7 +52,7 @@ ExpectedSize expected_size(const BlankSpec& blank, const Card& card, const Blank
   if (blank.shape == BlankShape::disc) area *= 0.25 * std::numbers::pi;
   size.extent = blank.size;
   if (blank.shape == BlankShape::polygon || blank.shape == BlankShape::file) {
-    Bounds box;
+    OutlineBox box;
     area = 0.0;
     for (const auto& loop : outline.loops) {
       for (const auto& p : loop.point) box.take_in(p);

@@ -16,7 +16,7 @@
 namespace weaveform {
 namespace {
 
-constexpr int most_deep = 8;                    // blocks within blocks
+constexpr int most_nested = 8;                  // blocks within blocks
 constexpr std::size_t most_points = 4'000'000;  // of all curves together
 constexpr int most_inserts = 100'000;
 constexpr double out_of_plane = 1e-6;  // of a coordinate: how far points may leave the plane
@@ -140,7 +140,7 @@ private:
     const auto block = drawing_.blocks.find(upper(entity.text(2)));
     if (block == drawing_.blocks.end())
       return refuse(entity, layer, fmt::format("names the block '{}', which is not in the file", entity.text(2)));
-    if (depth >= most_deep) fail(entity.line, fmt::format("blocks within blocks more than {} deep", most_deep));
+    if (depth >= most_nested) fail(entity.line, fmt::format("blocks within blocks more than {} deep", most_nested));
     if (++inserts_ > most_inserts) fail(entity.line, fmt::format("more than {} blocks are placed", most_inserts));
     const double turn = real(entity, 50, 0.0) * degree, a = real(entity, 41, 1.0), b = real(entity, 42, 1.0);
     Placing own;

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/vector/angle.hpp"
+#include "post/output/percent.hpp"
 #include "post/output/summary.hpp"
 
 namespace weaveform {
@@ -20,10 +21,6 @@ constexpr int travel_column = 12;  // characters; of the table over the travel, 
 // A number at the right of a column; "-" where there is none (a zone without cells, an ideal past 90 deg).
 std::string aligned(double value, int decimals = 2, int width = 10) {
   return std::isfinite(value) ? fmt::format("{:{}.{}f}", value, width, decimals) : fmt::format("{:>{}}", "-", width);
-}
-
-std::string percent(double fraction) {
-  return fmt::format("{:.3g} %", 100.0 * fraction);
 }
 
 // Names stand in a column as wide as the longest of them.

@@ -8,6 +8,7 @@
 
 #include "core/vector/angle.hpp"
 #include "mesher/mesh/stack.hpp"
+#include "post/output/percent.hpp"
 
 namespace weaveform {
 namespace {
@@ -28,10 +29,6 @@ Greatest greatest_angle(const Mesh& mesh, const Fields& end) {
 
 Json row(const std::string& name, const std::string& value, const std::string& note = "") {
   return {{"name", name}, {"value", value}, {"note", note}};
-}
-
-std::string percent(double share) {
-  return fmt::format("{:.3g} %", 100.0 * share);
 }
 
 std::string angle_words(double greatest, const Card& card) {

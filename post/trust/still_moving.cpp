@@ -11,9 +11,9 @@
 namespace weaveform {
 namespace {
 
-constexpr double last_part = 0.05;       // of the duration; a swing stands still at its ends
-constexpr double greatest_share = 0.01;  // kinetic energy over the internal
-constexpr double greatest_way = 0.01;    // of the blank's longer side; at the speed of the end, in as long a time again
+constexpr double last_part = 0.05;              // of the duration; a swing stands still at its ends
+constexpr double greatest_moving_share = 0.01;  // kinetic energy over the internal
+constexpr double greatest_way = 0.01;  // of the blank's longer side; at the speed of the end, in as long a time again
 
 bool is_to_rest(const Scene& scene) {
   const auto moves = [](const auto& part) { return part.travel != 0.0; };
@@ -37,7 +37,7 @@ void warn_of_unrest(const FinishedRun& run, Warnings& warnings) {
   const double moved = run.scene.analysis.mass_scale * std::accumulate(mass.begin(), mass.end(), 0.0);  // tonne
   const double speed = std::sqrt(2.0 * kinetic / moved);                                                // mm/s; rms
   const double length = std::max(run.extent[0], run.extent[1]);
-  const bool much_energy = kinetic > greatest_share * stored.back() && kinetic > 0.0;
+  const bool much_energy = kinetic > greatest_moving_share * stored.back() && kinetic > 0.0;
   const bool long_way = speed * duration > greatest_way * length;
   if (!much_energy && !long_way) return;
   warnings.push_back(fmt::format(

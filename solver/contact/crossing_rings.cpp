@@ -54,7 +54,7 @@ CrossingRings::CrossingRings(const Ply& ply)
     quads_[node] =
         static_cast<std::uint8_t>(lattice.quad_at(i - 1, j - 1, south_west) | lattice.quad_at(i, j - 1, south_east) |
                                   lattice.quad_at(i - 1, j, north_west) | lattice.quad_at(i, j, north_east));
-    Ring ring{};
+    CrossingRing ring{};
     bool plain = true;
     for (int place = 0; place < 9; ++place) {
       const int column = place % 3 - 1, row = place / 3 - 1;

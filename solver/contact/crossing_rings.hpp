@@ -15,7 +15,8 @@ struct RingCrossing {
   int node = -1;        // packed
   unsigned planes = 0;  // its image in every mirror plane whose bit is set
 };
-using Ring = std::array<RingCrossing, 9>;  // 3 * row + column, from south-west on; the fifth is the crossing itself
+using CrossingRing =
+    std::array<RingCrossing, 9>;  // 3 * row + column, from south-west on; the fifth is the crossing itself
 
 // Quads around a crossing.
 inline constexpr unsigned south_west = 1, south_east = 2, north_west = 4, north_east = 8, all_four = 15;
@@ -29,11 +30,11 @@ public:
   [[nodiscard]] int size() const { return static_cast<int>(quads_.size()); }
   [[nodiscard]] int stride() const { return stride_; }
   // Null where the ring is of the nodes around it in the packed lattice. What there is not stands for the crossing.
-  [[nodiscard]] const Ring* special(int node) const {
+  [[nodiscard]] const CrossingRing* special(int node) const {
     return special_[node] < 0 ? nullptr : &special_ring_[static_cast<std::size_t>(special_[node])];
   }
   [[nodiscard]] RingCrossing at(int node, int place) const {
-    const Ring* const ring = special(node);
+    const CrossingRing* const ring = special(node);
     return ring != nullptr ? (*ring)[static_cast<std::size_t>(place)]
                            : RingCrossing{node + (place / 3 - 1) * stride_ + place % 3 - 1, 0};
   }
@@ -47,7 +48,7 @@ private:
   int stride_;
   std::vector<std::uint8_t> quads_;
   std::vector<int> special_;  // number of its ring; -1
-  std::vector<Ring> special_ring_;
+  std::vector<CrossingRing> special_ring_;
   std::vector<std::array<Vec3, 3>> mirror_;  // rows, for every set of planes
   std::vector<Vec3> origin_;                 // mm; image of 0
 };

@@ -34,7 +34,7 @@ YarnDirections directions_at_centre(const MeshCells& cells, int cell, const std:
 }
 
 // Zero stays zero: a collapsed cell has no direction, and a frame must hold no NaN.
-Vector3d unit(const Vector3d& a) {
+Vector3d unit_or_zero(const Vector3d& a) {
   const double length = a.norm();
   return length > 0.0 ? Vector3d(a / length) : a;
 }
@@ -113,7 +113,7 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
   fields.weft.resize(cells.size());
   for (int cell = 0; cell < cells.size(); ++cell) {
     const YarnDirections g = directions_at_centre(cells, cell, fields.position);
-    const Vector3d warp = unit(g.warp), weft = unit(g.weft);
+    const Vector3d warp = unit_or_zero(g.warp), weft = unit_or_zero(g.weft);
     fields.shear_angle[cell] = shear_angle(warp, weft);
     fields.warp[cell] = array_of(warp);
     fields.weft[cell] = array_of(weft);
@@ -211,7 +211,7 @@ Fields fields_of_ply(const Fields& all, const Mesh& stack, std::size_t ply) {
 
 BlankPlane blank_plane(const Mesh& mesh) {
   if (mesh.nodes.position.empty()) return {};
-  const Vector3d normal = unit(sum_of(oriented_areas(mesh, mesh.nodes.position)));
+  const Vector3d normal = unit_or_zero(sum_of(oriented_areas(mesh, mesh.nodes.position)));
   const Vec3& origin = mesh.nodes.position.front();
   if (!lies_in_plane(mesh.nodes.position, vector_of(origin), normal)) return {};
   return {origin, array_of(normal)};

@@ -13,7 +13,7 @@
 namespace weaveform {
 
 namespace {
-constexpr long most = 100'000'000;        // nodes, elements, entities, names
+constexpr long most_items = 100'000'000;  // nodes, elements, entities, names
 constexpr double greatest_number = 1e30;  // the square of a greater one may be infinite soon
 }  // namespace
 
@@ -94,7 +94,7 @@ double MshData::real(const char* what) {
 
 long MshData::count(const char* what, bool four_bytes) {
   const long value = four_bytes ? integer(what) : size(what);
-  if (value < 0 || value > most) fail(fmt::format("{} {} is out of range", value, what));
+  if (value < 0 || value > most_items) fail(fmt::format("{} {} is out of range", value, what));
   return value;
 }
 

@@ -56,13 +56,13 @@ RigidMotion to_blank(const VirtualSpec& spec) {
   return motion;
 }
 
-struct Grid {
+struct FacetGrid {
   std::vector<Vec2> measured, blank;  // mm
   Neighbours neighbours;
   Sampling facets;
 };
 
-Grid make_grid(const FlatMesh& flat, const Camera& camera, const VirtualSpec& spec) {
+FacetGrid make_grid(const FlatMesh& flat, const Camera& camera, const VirtualSpec& spec) {
   const RigidMotion motion = to_blank(spec);
   const auto box = flat.extent();
   const double reach = 0.5 * std::hypot(box[2] - box[0], box[3] - box[1]), step = camera.step_size();
@@ -82,7 +82,7 @@ Grid make_grid(const FlatMesh& flat, const Camera& camera, const VirtualSpec& sp
       blank.push_back(placed);
     }
   const Sampling sampling = sample_facets(flat, blank, camera.facet_size(), 1.0 - 1e-9, motion.angle);
-  Grid grid;
+  FacetGrid grid;
   for (std::size_t i = 0; i < blank.size(); ++i) {
     if (!sampling.found(i)) continue;
     grid.measured.push_back(measured[i]);
@@ -110,7 +110,7 @@ struct VirtualStage {
   std::vector<Fate> fate;
 };
 
-VirtualStage make_stage(const Grid& grid, const SimulatedState& state, const VirtualSpec& spec, int number) {
+VirtualStage make_stage(const FacetGrid& grid, const SimulatedState& state, const VirtualSpec& spec, int number) {
   VirtualStage stage{number, state.travel, state.force, {}, {}};
   const double angle = spec.rotation * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
   for (std::size_t i = 0; i < grid.measured.size(); ++i) {
@@ -130,7 +130,7 @@ VirtualStage make_stage(const Grid& grid, const SimulatedState& state, const Vir
 }
 
 // Green-Lagrange strains xx, yy, xy of the window, as such files carry them; nothing here ever reads them.
-Vec3 strains_at(const Grid& grid, const VirtualStage& stage, const std::vector<bool>& valid, std::size_t i) {
+Vec3 strains_at(const FacetGrid& grid, const VirtualStage& stage, const std::vector<bool>& valid, std::size_t i) {
   const WindowFit fit = fit_window(grid.measured, grid.neighbours, i, valid, stage.displacement, 0.5);
   if (!fit.good) return {0.0, 0.0, 0.0};
   const Eigen::Matrix2d h = fit.gradient.topRows<2>();
@@ -144,7 +144,7 @@ std::vector<bool> valid_points(const VirtualStage& stage) {
   return valid;
 }
 
-std::string aramis_text(const Grid& grid, const VirtualStage& stage, const Camera& camera, bool decimal_comma) {
+std::string aramis_text(const FacetGrid& grid, const VirtualStage& stage, const Camera& camera, bool decimal_comma) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   const std::string rule = "#" + std::string(99, '#') + "\n";
@@ -186,7 +186,7 @@ std::string aramis_text(const Grid& grid, const VirtualStage& stage, const Camer
   return fmt::to_string(text);
 }
 
-std::string dice_text(const Grid& grid, const VirtualStage& stage, const Camera& camera, char delimiter) {
+std::string dice_text(const FacetGrid& grid, const VirtualStage& stage, const Camera& camera, char delimiter) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "***\n*** virtual experiment by weaveform in the form of a DICe solution file\n***\n");
@@ -255,7 +255,7 @@ VirtualMeasurement export_virtual(const fs::path& result, MeasurementFormat form
         fmt::format("stages of [virtual] is {}, but the simulation has {} frames after the start; run it "
                     "with a greater output.frames",
                     count, last));
-  const Grid grid = make_grid(simulation.flat(), camera, spec);
+  const FacetGrid grid = make_grid(simulation.flat(), camera, spec);
 
   VirtualMeasurement measurement;
   measurement.points = grid.measured.size();

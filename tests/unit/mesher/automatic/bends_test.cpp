@@ -12,7 +12,7 @@ namespace weaveform {
 namespace {
 
 constexpr double offset = 0.25;  // mm; of all tools here
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Tool tool_of(const TriangleList& list) {
   Tool tool;

@@ -17,10 +17,11 @@ namespace {
 const std::string open_blank = "coarsening = \"auto\"\n";
 const std::string open_model = "[model]\nyarn = \"auto\"\ncell = \"auto\"\n";
 
-const std::string drawing = "[blank]\nsize = [400, 400]\nyarn_angle = 0\n" + open_blank + open_model +
-                            "[tools.punch]\nshape = \"sphere\"\nradius = 75\ntravel = 90\n"
-                            "[tools.die]\nshape = \"ring\"\nopening_radius = 77\nfillet_radius = 15\n"
-                            "[tools.binder]\nshape = \"ring\"\naxis = [0, 0, -1]\nopening_radius = 77\nforce = 650\n";
+const std::string drawn_part =
+    "[blank]\nsize = [400, 400]\nyarn_angle = 0\n" + open_blank + open_model +
+    "[tools.punch]\nshape = \"sphere\"\nradius = 75\ntravel = 90\n"
+    "[tools.die]\nshape = \"ring\"\nopening_radius = 77\nfillet_radius = 15\n"
+    "[tools.binder]\nshape = \"ring\"\naxis = [0, 0, -1]\nopening_radius = 77\nforce = 650\n";
 const std::string bias = "[blank]\n" + open_blank + open_model +
                          "[[grip]]\nname = \"bottom\"\nedge = \"bottom\"\n"
                          "[[grip]]\nname = \"top\"\nedge = \"top\"\ntravel = 30\n";
@@ -28,7 +29,7 @@ const std::string hanging = "[blank]\nsize = [128, 60]\nyarn_angle = 0\n" + open
                             "[[grip]]\nname = \"clamp\"\nedge = \"left\"\n[analysis]\ngravity = [0, 0, -9810]\n";
 const std::string framed = "[blank]\nsize = [120, 120]\nyarn_angle = 0\n" + open_blank + open_model + "[frame]\n";
 const std::string free_blank = "[blank]\nsize = [100, 60]\n" + open_blank + open_model;
-const std::string stacked = drawing + "[[ply]]\nname = \"lower\"\n[[ply]]\nname = \"upper\"\nyarn_angle = 45\n";
+const std::string stacked = drawn_part + "[[ply]]\nname = \"lower\"\n[[ply]]\nname = \"upper\"\nyarn_angle = 45\n";
 const std::string laid = "[blank]\nsize = [200, 200]\nyarn_angle = 0\n" + open_blank +
                          "[tools.dome]\nshape = \"revolved\"\nposition = [0, 0, -75]\n"
                          "profile = [[300, 0], [88.741196, 0], [73.950997, 12.5, 88.741196, 15], [0, 75, 0, 0]]\n"
@@ -46,7 +47,7 @@ double coarsening(const Scene& scene) {
 }
 
 TEST(Automatic, NothingIsLeftOpen) {
-  for (const std::string& text : {drawing, bias, hanging, framed, free_blank, stacked, laid}) {
+  for (const std::string& text : {drawn_part, bias, hanging, framed, free_blank, stacked, laid}) {
     const Scene scene = taken(text);
     EXPECT_FALSE(leaves_open(scene)) << text;
     EXPECT_FALSE(scene.taken.empty()) << text;
@@ -55,7 +56,7 @@ TEST(Automatic, NothingIsLeftOpen) {
 }
 
 TEST(Automatic, WhatIsGivenStays) {
-  const Scene scene = taken(drawing, {"blank.coarsening=[3, 5]", "model.cell=membrane"});
+  const Scene scene = taken(drawn_part, {"blank.coarsening=[3, 5]", "model.cell=membrane"});
   EXPECT_EQ(scene.blank.coarsening, (std::array<double, 2>{3.0, 5.0}));
   EXPECT_EQ(scene.model.cell, CellElement::membrane);
   EXPECT_EQ(find_taken(scene, "blank.coarsening"), nullptr);
@@ -70,11 +71,11 @@ TEST(Automatic, DoesNotHangOnTheOrderOfKeys) {
                             "[tools.die]\nfillet_radius = 15\nopening_radius = 77\nshape = \"ring\"\n"
                             "[blank]\n" +
                             open_blank + "yarn_angle = 0\nsize = [400, 400]\n";
-  EXPECT_EQ(taken(drawing), taken(other));
+  EXPECT_EQ(taken(drawn_part), taken(other));
 }
 
 TEST(Automatic, FinerWantedIsNeverCoarser) {
-  for (const std::string& text : {drawing, bias, hanging, framed, free_blank, stacked, laid})
+  for (const std::string& text : {drawn_part, bias, hanging, framed, free_blank, stacked, laid})
     for (const char* key : {"accuracy.force", "accuracy.angle"}) {
       double before = 1e9;
       for (const double wanted : {0.3, 0.1, 0.05, 0.02, 0.01, 0.003, 0.0005}) {
@@ -87,14 +88,14 @@ TEST(Automatic, FinerWantedIsNeverCoarser) {
 }
 
 TEST(Automatic, FinerThanMeasuredIsMissedAndSaidSo) {
-  const Scene scene = taken(drawing, {"accuracy.force=0.0005"});
+  const Scene scene = taken(drawn_part, {"accuracy.force=0.0005"});
   EXPECT_NEAR(coarsening(scene), 0.5, 0.001);  // mesh_rules.hpp: finest_coarsening
   ASSERT_EQ(missed_lines(scene).size(), 1u);
-  EXPECT_TRUE(missed_lines(taken(drawing)).empty());
+  EXPECT_TRUE(missed_lines(taken(drawn_part)).empty());
 }
 
 TEST(Automatic, BendsWhereFabricIsPressedOrHangs) {
-  EXPECT_EQ(taken(drawing).model.cell, CellElement::rotation_free);
+  EXPECT_EQ(taken(drawn_part).model.cell, CellElement::rotation_free);
   EXPECT_EQ(taken(hanging).model.cell, CellElement::rotation_free);
   EXPECT_EQ(taken(stacked).ply[1].model.cell, CellElement::rotation_free);
   for (const std::string& text : {bias, framed, free_blank}) EXPECT_EQ(taken(text).model.cell, CellElement::membrane);
@@ -104,17 +105,17 @@ TEST(Automatic, BendsWhereTheSceneAsksForIt) {
   EXPECT_EQ(taken(bias, {"model.cell_bending=[1, 1, 0.3]"}).model.cell, CellElement::rotation_free);
   EXPECT_EQ(taken(framed, {"model.bending_friction=[0.04, 0.002]"}).model.cell, CellElement::rotation_free);
   EXPECT_EQ(taken(bias, {"model.transverse_shear=0.5"}).model.cell, CellElement::shell);
-  EXPECT_EQ(taken(drawing, {"model.yarn_bending=[5, 5]"}).model.yarn, YarnElement::beam);
-  EXPECT_EQ(taken(drawing, {"model.partner=compression"}).model.yarn, YarnElement::seatbelt);
+  EXPECT_EQ(taken(drawn_part, {"model.yarn_bending=[5, 5]"}).model.yarn, YarnElement::beam);
+  EXPECT_EQ(taken(drawn_part, {"model.partner=compression"}).model.yarn, YarnElement::seatbelt);
 }
 
 TEST(Automatic, YarnsBendWherePulledFabricHasNoLimitWithout) {
   EXPECT_EQ(taken(bias).model.yarn, YarnElement::beam);
-  for (const std::string& text : {drawing, hanging, framed, free_blank})
+  for (const std::string& text : {drawn_part, hanging, framed, free_blank})
     EXPECT_EQ(taken(text).model.yarn, YarnElement::truss);
-  EXPECT_EQ(
-      taken(drawing + "[[grip]]\nname = \"l\"\nedge = \"left\"\n[[grip]]\nname = \"r\"\nedge = \"right\"\n").model.yarn,
-      YarnElement::beam);
+  EXPECT_EQ(taken(drawn_part + "[[grip]]\nname = \"l\"\nedge = \"left\"\n[[grip]]\nname = \"r\"\nedge = \"right\"\n")
+                .model.yarn,
+            YarnElement::beam);
   EXPECT_EQ(taken(bias, {"model.yarn_law=linear"}).model.yarn, YarnElement::truss);
   // and without them the mesh pays for it
   EXPECT_LT(coarsening(taken(bias, {"model.yarn=truss"})), 0.5 * coarsening(taken(bias)));
@@ -122,21 +123,21 @@ TEST(Automatic, YarnsBendWherePulledFabricHasNoLimitWithout) {
 
 // Everything twice as large but the fabric (whose half thickness is 0.3 % of the die's radius): twice the coarsening.
 TEST(Automatic, GrowsWithTheScene) {
-  const double once = coarsening(taken(drawing));
+  const double once = coarsening(taken(drawn_part));
   const double twice =
-      coarsening(taken(drawing, {"blank.size=[800, 800]", "tools.punch.radius=150", "tools.die.fillet_radius=30",
-                                 "tools.die.opening_radius=154", "tools.binder.opening_radius=154"}));
+      coarsening(taken(drawn_part, {"blank.size=[800, 800]", "tools.punch.radius=150", "tools.die.fillet_radius=30",
+                                    "tools.die.opening_radius=154", "tools.binder.opening_radius=154"}));
   EXPECT_NEAR(twice / once, 2.0, 0.05);
 }
 
 // Every family's cells as long as the other's, whatever the intervals (twill: 2.44 and 5.1 mm).
 TEST(Automatic, CellsAreAsLongAsWide) {
-  const Scene scene = taken(drawing, {"fabric.material=twintex-tw"});
+  const Scene scene = taken(drawn_part, {"fabric.material=twintex-tw"});
   EXPECT_NEAR(scene.blank.coarsening[0] / scene.blank.coarsening[1], 5.1 / 2.44, 0.02);
 }
 
 TEST(Automatic, SmallBoxesHaveCells) {
-  const Scene scene = taken(drawing + "[[measure]]\nname = \"spot\"\nbox = [0, 0, 6, 6]\n");
+  const Scene scene = taken(drawn_part + "[[measure]]\nname = \"spot\"\nbox = [0, 0, 6, 6]\n");
   EXPECT_LE(coarsening(scene) * 4.92, 4.0);  // 6 mm over sqrt(2) is 4.2
   EXPECT_NE(find_taken(scene, "blank.coarsening")->why.find("spot"), std::string::npos);
 }
@@ -150,7 +151,7 @@ TEST(Automatic, AMeshThatWasTakenForTheSceneIsOnRecord) {
 }
 
 TEST(Automatic, WhatIsOverruledIsNoLongerOnRecord) {
-  const std::string copy = scene_to_toml(taken(drawing));
+  const std::string copy = scene_to_toml(taken(drawn_part));
   const Scene scene = read_scene_text(copy, "s.toml", {"blank.coarsening=4"});
   EXPECT_EQ(find_taken(scene, "blank.coarsening"), nullptr);
   EXPECT_NE(find_taken(scene, "model.cell"), nullptr);

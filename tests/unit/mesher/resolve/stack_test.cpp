@@ -17,7 +17,7 @@
 namespace weaveform {
 namespace {
 
-const std::string blank = "[blank]\nsize = [100, 100]\nyarn_angle = 0\ncoarsening = 4\nposition = [1, 2, 3]\n";
+const std::string blank_lines = "[blank]\nsize = [100, 100]\nyarn_angle = 0\ncoarsening = 4\nposition = [1, 2, 3]\n";
 const std::string plies = "[[ply]]\nname = \"lower\"\n[[ply]]\nname = \"upper\"\nyarn_angle = 45\n";
 
 class Stack : public testing::Test {
@@ -41,7 +41,7 @@ protected:
 };
 
 TEST_F(Stack, PliesLieOnEachOtherFromTheBlanksPlaceUp) {
-  const Resolved model = resolved(blank + plies +
+  const Resolved model = resolved(blank_lines + plies +
                                   "[[ply]]\nname = \"top\"\n[stack]\ngap = 0.25\n[[stack.pair]]\nplies = "
                                   "[\"top\", \"upper\"]\ngap = 0\n");
   const double t = model.ply[0].mesh.thickness;
@@ -53,24 +53,24 @@ TEST_F(Stack, PliesLieOnEachOtherFromTheBlanksPlaceUp) {
 
 TEST_F(Stack, APlyLaidFaceDownThatIsTheSameEitherWayIsSaid) {
   const std::string turned = "[model]\ncell = \"rotation-free\"\n" + plies + "face = \"down\"\n";
-  const auto lines = early_warnings(resolved(blank + turned));
+  const auto lines = early_warnings(resolved(blank_lines + turned));
   const auto said = [](const std::string& line) {
     return line.rfind("ply 'upper': face = \"down\" changes nothing", 0) == 0;
   };
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(), said), 1);
-  const auto silent = early_warnings(resolved(blank + plies));
+  const auto silent = early_warnings(resolved(blank_lines + plies));
   EXPECT_EQ(std::count_if(silent.begin(), silent.end(), said), 0);
 }
 
 TEST_F(Stack, APlyThatIsPlacedCarriesThoseAfterIt) {
-  const Resolved model = resolved(blank + plies + "position = [5, 0, 7]\n[[ply]]\nname = \"top\"\n");
+  const Resolved model = resolved(blank_lines + plies + "position = [5, 0, 7]\n[[ply]]\nname = \"top\"\n");
   EXPECT_EQ(model.ply[1].scene.blank.position, (std::array{5.0, 0.0, 7.0}));
   EXPECT_DOUBLE_EQ(model.ply[2].scene.blank.position[2], 7.0 + model.ply[1].mesh.thickness);
   EXPECT_EQ(model.ply[2].scene.blank.position[0], 1.0);
 }
 
 TEST_F(Stack, ToolsFindTheOuterFacesAndStandOffEachPlyByItsOwnHalf) {
-  const Resolved model = resolved(blank + plies + R"(material = "twintex-tw"
+  const Resolved model = resolved(blank_lines + plies + R"(material = "twintex-tw"
 [tools.punch]
 shape = "sphere"
 radius = 20
@@ -94,7 +94,7 @@ axis = [0, 0, -1]
 }
 
 TEST_F(Stack, GripsHoldThePliesTheyNameOrWhateverIsThere) {
-  const Resolved model = resolved(blank + plies + R"(size = [25, 25]
+  const Resolved model = resolved(blank_lines + plies + R"(size = [25, 25]
 coarsening = 1
 [[grip]]
 name = "both"
@@ -114,21 +114,21 @@ plies = ["upper"]
   };
   EXPECT_EQ(names(0), (std::vector<std::string>{"both", "rim", "outline"}));
   EXPECT_EQ(names(1), (std::vector<std::string>{"both", "one", "outline"}));
-  EXPECT_NE(
-      complaint(blank + plies + "[[grip]]\nname = \"off\"\nbox = [80, 80, 90, 90]\n").find("grip 'off' holds no node"),
-      std::string::npos);
+  EXPECT_NE(complaint(blank_lines + plies + "[[grip]]\nname = \"off\"\nbox = [80, 80, 90, 90]\n")
+                .find("grip 'off' holds no node"),
+            std::string::npos);
 }
 
 TEST_F(Stack, IsSolvedByAQuarterOnlyWhereEveryPlyIs) {
-  EXPECT_EQ(resolved(blank + plies).symmetry.word(), "quarter");
-  const Resolved turned = resolved(blank + plies + "[[ply]]\nname = \"askew\"\nyarn_angle = 30\n");
+  EXPECT_EQ(resolved(blank_lines + plies).symmetry.word(), "quarter");
+  const Resolved turned = resolved(blank_lines + plies + "[[ply]]\nname = \"askew\"\nyarn_angle = 30\n");
   EXPECT_EQ(turned.symmetry.word(), "none");
   EXPECT_NE(turned.symmetry.why[0].find("ply 'askew'"), std::string::npos) << turned.symmetry.why[0];
-  EXPECT_EQ(resolved(blank + plies + "position = [4, 2, 9]\n").symmetry.word(), "half");
+  EXPECT_EQ(resolved(blank_lines + plies + "position = [4, 2, 9]\n").symmetry.word(), "half");
 }
 
 TEST_F(Stack, AroundItsMeshIsWhatTheSceneLeadsTo) {
-  const Resolved model = resolved(blank + plies + "[tools.die]\nshape = \"ring\"\nopening_radius = 25\n");
+  const Resolved model = resolved(blank_lines + plies + "[tools.die]\nshape = \"ring\"\nopening_radius = 25\n");
   const Resolved around = resolve_around(model.scene, model.card, model.mesh);
   ASSERT_EQ(around.ply.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -167,7 +167,7 @@ TEST_F(Stack, DrapedPliesLieClearOfEachOther) {
 }
 
 TEST_F(Stack, ComplaintsNameThePly) {
-  const std::string wrong = complaint(blank + plies + "coarsening = 50\nmaterial = \"none.toml\"\n");
+  const std::string wrong = complaint(blank_lines + plies + "coarsening = 50\nmaterial = \"none.toml\"\n");
   EXPECT_NE(wrong.find("ply 'upper': "), std::string::npos) << wrong;
   EXPECT_EQ(wrong.find("ply 'lower'"), std::string::npos) << wrong;
   const std::string both = complaint(
@@ -177,8 +177,8 @@ TEST_F(Stack, ComplaintsNameThePly) {
 }
 
 TEST_F(Stack, OfOnePlyIsThatPly) {
-  const Resolved model = resolved(blank + "[[ply]]\nname = \"only\"\n");
-  const Resolved alone = resolved(blank);
+  const Resolved model = resolved(blank_lines + "[[ply]]\nname = \"only\"\n");
+  const Resolved alone = resolved(blank_lines);
   test::expect_same_mesh(model.ply[0].mesh, alone.mesh);
   EXPECT_EQ(model.tools.size(), alone.tools.size());
 }

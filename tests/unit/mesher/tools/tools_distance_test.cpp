@@ -73,7 +73,7 @@ std::vector<Vec3> cloud(int count) {
 }
 
 // Rounding of coordinates of 10 mm is 1e-15; a distance from cancelled squares keeps half the digits at worst near 0.
-constexpr double rounding = 1e-11;  // mm
+constexpr double distance_rounding = 1e-11;  // mm
 
 TEST(ToolShape, NormalIsUnitAndNearestPointLiesOnTheSurface) {
   for (const Tool& tool : zoo())
@@ -82,7 +82,7 @@ TEST(ToolShape, NormalIsUnitAndNearestPointLiesOnTheSurface) {
       ASSERT_NEAR(length(a.normal), 1.0, 1e-12);
       Vec3 nearest = p;
       for (int c = 0; c < 3; ++c) nearest[c] -= a.distance * a.normal[c];
-      ASSERT_NEAR(ask(tool, nearest).distance, 0.0, rounding);
+      ASSERT_NEAR(ask(tool, nearest).distance, 0.0, distance_rounding);
     }
 }
 
@@ -138,9 +138,9 @@ TEST(ToolShape, RingAndSphereAreRevolvedProfiles) {
   const Tool ball = sphere(7.5), ball_profile = revolved({{0, -7.5}, {7.5, -7.5, 7.5}, {7.5, 30}});
   for (const auto& p : cloud(5000)) {
     if (ask(die, p).distance > -2.0) {  // deeper than the fillet, the ring measures to its faces
-      ASSERT_NEAR(ask(die, p).distance, ask(die_profile, p).distance, rounding);
+      ASSERT_NEAR(ask(die, p).distance, ask(die_profile, p).distance, distance_rounding);
     }
-    ASSERT_NEAR(ask(ball, p).distance, ask(ball_profile, p).distance, rounding);
+    ASSERT_NEAR(ask(ball, p).distance, ask(ball_profile, p).distance, distance_rounding);
   }
 }
 

@@ -92,7 +92,7 @@ TEST(ShownPart, ThinnedKeepsTheCellsOfCutEdges) {
   EXPECT_NEAR(area(patch.mesh, part), area(patch.mesh, shown_part(patch.mesh, 1)), 1e-6);
 }
 
-foreign::ToolMesh square(double side) {
+foreign::ToolMesh square_tool(double side) {
   foreign::ToolMesh mesh;
   for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
     mesh.node.push_back({0.5 * side * x, 0.5 * side * y, 5.0});
@@ -110,15 +110,15 @@ double area(const foreign::ToolMesh& mesh) {
 }
 
 TEST(ToolsNear, AreCutAtTheSidesOfABox) {
-  const auto cut = cut_to_box(square(1000.0), {-10.0, -20.0, 0.0}, {30.0, 20.0, 10.0});
+  const auto cut = cut_to_box(square_tool(1000.0), {-10.0, -20.0, 0.0}, {30.0, 20.0, 10.0});
   EXPECT_NEAR(area(cut), 40.0 * 40.0, 1e-9);
   for (const Vec3& x : cut.node) {
     EXPECT_GE(x[0], -10.0 - 1e-9);
     EXPECT_LE(x[0], 30.0 + 1e-9);
     EXPECT_EQ(x[2], 5.0);
   }
-  EXPECT_TRUE(cut_to_box(square(1000.0), {-10.0, -20.0, 6.0}, {30.0, 20.0, 10.0}).face.empty()) << "above it";
-  EXPECT_NEAR(area(cut_to_box(square(4.0), {-10.0, -20.0, 0.0}, {30.0, 20.0, 10.0})), 16.0, 1e-12) << "all inside";
+  EXPECT_TRUE(cut_to_box(square_tool(1000.0), {-10.0, -20.0, 6.0}, {30.0, 20.0, 10.0}).face.empty()) << "above it";
+  EXPECT_NEAR(area(cut_to_box(square_tool(4.0), {-10.0, -20.0, 0.0}, {30.0, 20.0, 10.0})), 16.0, 1e-12) << "all inside";
 }
 
 TEST(ReportPage, NoTextOfTheDataEndsTheScript) {

@@ -22,17 +22,17 @@ namespace weaveform {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double radius = 200.0;  // mm; the blank's corners reach 81 deg from the top
+constexpr double sphere_radius = 200.0;  // mm; the blank's corners reach 81 deg from the top
 
 Vector3d on_sphere(double u, double v) {
-  const double rho = std::hypot(u, v), a = rho / radius;
-  const double s = rho > 0.0 ? radius * std::sin(a) / rho : 1.0;
-  return {s * u, s * v, radius * std::cos(a)};
+  const double rho = std::hypot(u, v), a = rho / sphere_radius;
+  const double s = rho > 0.0 ? sphere_radius * std::sin(a) / rho : 1.0;
+  return {s * u, s * v, sphere_radius * std::cos(a)};
 }
 
 // dX/du and dX/dv: radially cos a, around the pole sin(a)/a.
 std::array<Vector3d, 2> derivatives(double u, double v) {
-  const double rho = std::hypot(u, v), a = rho / radius;
+  const double rho = std::hypot(u, v), a = rho / sphere_radius;
   if (rho < 1e-12) return {Vector3d::UnitX(), Vector3d::UnitY()};
   const double c = u / rho, s = v / rho, around = std::sin(a) / a;
   const Vector3d out(std::cos(a) * c, std::cos(a) * s, -std::sin(a)), side(-s, c, 0.0);
@@ -42,7 +42,7 @@ std::array<Vector3d, 2> derivatives(double u, double v) {
 // The blank's place under a point of the sphere.
 std::array<double, 2> place_under(const Vector3d& x) {
   const double a = std::atan2(std::hypot(x.x(), x.y()), x.z()), r = std::hypot(x.x(), x.y());
-  return r > 0.0 ? std::array{radius * a * x.x() / r, radius * a * x.y() / r} : std::array{0.0, 0.0};
+  return r > 0.0 ? std::array{sphere_radius * a * x.x() / r, sphere_radius * a * x.y() / r} : std::array{0.0, 0.0};
 }
 
 struct Draped {
