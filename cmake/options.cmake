@@ -5,6 +5,10 @@ target_include_directories(weaveform_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/weaveform>)
 # Position-independent code may otherwise not inline what another library could put its own in place of; nobody does.
 target_compile_options(weaveform_options INTERFACE $<BUILD_INTERFACE:-fno-semantic-interposition>)
+# g++ looks for memory that it may use again when it has a gigabyte, not 128 MB: 3 % of a build's time.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  target_compile_options(weaveform_options INTERFACE $<BUILD_INTERFACE:--param=ggc-min-heapsize=1048576>)
+endif()
 if(WEAVEFORM_SANITIZE)
   target_compile_options(weaveform_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(weaveform_options INTERFACE -fsanitize=address,undefined)
