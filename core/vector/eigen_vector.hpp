@@ -15,4 +15,10 @@ namespace weaveform {
   return {a.x(), a.y(), a.z()};
 }
 
+// Zero stays zero.
+[[nodiscard]] inline Eigen::Vector3d unit_or_zero(const Eigen::Vector3d& a) {
+  const double length = a.norm();
+  return length > 0.0 ? Eigen::Vector3d(a / length) : a;
+}
+
 }  // namespace weaveform

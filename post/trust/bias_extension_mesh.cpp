@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/keys/advice.hpp"
 #include "post/measure/bias_extension.hpp"
@@ -34,6 +35,16 @@ bool lines_are_fitted(const BlankSpec& blank) {
   return blank.fit == LineFit::grips && !blank.on_roll && blank.phase == BlankSpec{}.phase;
 }
 
+// The coarsening that gives cells of this side (mm) at most, whatever fitting lines to the grips' ends makes of them: it
+// moves the width/sqrt(2)/side lines between two ends by half a spacing at most, and the mesh at hand, itself fitted,
+// does not tell by how much.
+double coarsening_for(double side, double width, const FinishedRun& run) {
+  const auto& coarsening = run.scene.blank.coarsening;
+  const double asked = std::sqrt(run.card.yarn[0].interval * coarsening[0] * run.card.yarn[1].interval * coarsening[1]);
+  const double fitted = 1.0 + side / (std::numbers::sqrt2 * width);
+  return rounded_down(std::max(coarsening[0], coarsening[1]) * side / (asked * fitted), 2);
+}
+
 }  // namespace
 
 void warn_of_bias_extension_mesh(const FinishedRun& run, Warnings& warnings) {
@@ -54,8 +65,7 @@ void warn_of_bias_extension_mesh(const FinishedRun& run, Warnings& warnings) {
       "or less, or "
       "model.yarn = \"beam\", whose borders have a width of their own",
       100.0 * error, side, 100.0 * greatest_error,
-      rounded_down(std::max(run.scene.blank.coarsening[0], run.scene.blank.coarsening[1]) * greatest_error / error,
-                   2)));
+      coarsening_for(greatest_error / error_per_side * specimen->width, specimen->width, run)));
 }
 
 }  // namespace weaveform

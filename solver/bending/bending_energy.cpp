@@ -12,11 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d unit(const Vector3d& a) {
-  const double length = a.norm();
-  return length > 0.0 ? Vector3d(a / length) : Vector3d::Zero();
-}
-
 // The change of tangent of one family, and its curvature's factor: kappa = factor * part of c.
 struct Turn {
   Vector3d c = Vector3d::Zero();
@@ -26,8 +21,9 @@ struct Turn {
 Turn turn_of(const YarnBend& yarn, int node, const std::vector<Vec3>& position) {
   if (yarn.yarns == 0.0) return {};
   const Vector3d x = vector_of(position[node]);
-  const Vector3d before = yarn.fixed_before ? vector_of(yarn.fixed) : unit(x - vector_of(position[yarn.before]));
-  const Vector3d after = yarn.fixed_after ? vector_of(yarn.fixed) : unit(vector_of(position[yarn.after]) - x);
+  const Vector3d before =
+      yarn.fixed_before ? vector_of(yarn.fixed) : unit_or_zero(x - vector_of(position[yarn.before]));
+  const Vector3d after = yarn.fixed_after ? vector_of(yarn.fixed) : unit_or_zero(vector_of(position[yarn.after]) - x);
   Turn turn{after - before, 0.0};
   const double u = turn.c.squaredNorm();
   turn.factor = std::sqrt(1.0 + u / 12 + u * u / 90 + u * u * u / 560) / yarn.spread;
@@ -40,7 +36,7 @@ Vector3d span_of(const YarnBend& yarn, const std::vector<Vec3>& position) {
 }
 
 Vector3d plane_normal(const Bend& bend, const std::vector<Vec3>& position) {
-  return unit(span_of(bend.yarn[0], position).cross(span_of(bend.yarn[1], position)));
+  return unit_or_zero(span_of(bend.yarn[0], position).cross(span_of(bend.yarn[1], position)));
 }
 
 // in, out; out is positive where the yarn turns towards the normal: the other side is bent outwards then
@@ -96,7 +92,7 @@ double twist_energy(const std::vector<TwistCell>& cells, double twist, const std
   for (const auto& cell : cells) {
     const Vector3d x00 = vector_of(position[cell.node[0]]), x10 = vector_of(position[cell.node[1]]),
                    x11 = vector_of(position[cell.node[2]]), x01 = vector_of(position[cell.node[3]]);
-    const Vector3d normal = unit((x11 - x00).cross(x01 - x10));
+    const Vector3d normal = unit_or_zero((x11 - x00).cross(x01 - x10));
     const double curvature = (x00 - x10 - x01 + x11).dot(normal) / (spacing[0] * spacing[1]);
     energy += 2.0 * twist * cell.area * curvature * curvature;
   }

@@ -33,12 +33,6 @@ YarnDirections directions_at_centre(const MeshCells& cells, int cell, const std:
   return g;
 }
 
-// Zero stays zero: a collapsed cell has no direction, and a frame must hold no NaN.
-Vector3d unit_or_zero(const Vector3d& a) {
-  const double length = a.norm();
-  return length > 0.0 ? Vector3d(a / length) : a;
-}
-
 // sin gamma = g1.g2 (unit vectors), taken as atan2(g1.g2, |g1 x g2|): the arc sine alone loses half the digits near 90
 // deg.
 double shear_angle(const Vector3d& warp, const Vector3d& weft) {
@@ -113,6 +107,7 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
   fields.weft.resize(cells.size());
   for (int cell = 0; cell < cells.size(); ++cell) {
     const YarnDirections g = directions_at_centre(cells, cell, fields.position);
+    // a collapsed cell has no direction, and a frame must hold no NaN
     const Vector3d warp = unit_or_zero(g.warp), weft = unit_or_zero(g.weft);
     fields.shear_angle[cell] = shear_angle(warp, weft);
     fields.warp[cell] = array_of(warp);
