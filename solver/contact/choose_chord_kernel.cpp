@@ -5,13 +5,13 @@ namespace weaveform {
 
 WEAVEFORM_CHOOSE_LOOPS(ChordLoops, chord_loops)
 
-void chord_turns(const ChordLattice& lattice, ChordTurns& turns) {
-  chosen_chord_loops().chord_turns(lattice, turns);
+void chord_turns(const ChordLattice& lattice, int first, int count, unsigned wanted, ChordTurns& turns) {
+  chosen_chord_loops().chord_turns(lattice, first, count, wanted, turns);
 }
 
 void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const ContactGroups& groups,
-                 const Distances& distances, double friction, ChordTerms& terms) {
-  chosen_chord_loops().chord_terms(turns, length, count, groups, distances, friction, terms);
+                 double friction, double part, Distances& distances, ChordTerms& terms) {
+  chosen_chord_loops().chord_terms(turns, length, count, groups, friction, part, distances, terms);
 }
 
 ContactSums chord_forces(const ContactLaw& law, const ContactTool& tool, const Distances& distances,

@@ -19,6 +19,10 @@ void least_gaps(const Distances& distances, double offset, const ContactNodes& n
   gaps(distances, offset, nodes, groups, gap);
 }
 
+void find_upright(const Distances& distances, int count, ContactGroups& groups) {
+  chosen_contact_loops().find_upright(distances, count, groups);
+}
+
 double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes) {
   return chosen_contact_loops().greatest_speed(reference, nodes);
 }

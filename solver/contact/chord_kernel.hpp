@@ -31,32 +31,32 @@
 
 namespace weaveform {
 
-// A group's nodes in the lattice; `x` are positions of all packed nodes, the rest arrays of `count` entries.
+// A ply's chords; arrays of all its packed nodes, `even` of their groups.
 struct ChordLattice {
-  int count;
-  int first;                        // packed index of the group's first node
-  int place;                        // where the block's turns have it
-  int stride;                       // > 0: neighbours along the warp are those beside, along the weft so far off
   const double* x[3];               // mm
   const int *before[2], *after[2];  // packed index along warp and weft; the node itself where there is none
+  const char* even;                 // neighbours along the warp are those beside, along the weft `stride` off
+  int stride;
 };
 
 // Of a block's nodes, whatever tool they touch.
-struct ChordTurns {
+struct alignas(64) ChordTurns {
   double turn[2][3][points_at_a_time];  // 1; unit direction after less that before
-  double mean[2][3][points_at_a_time];  // 1; t
+  double mean[2][3][points_at_a_time];  // 1; of both: along t, shorter where they turn
 };
-void chord_turns(const ChordLattice& lattice, ChordTurns& turns);
+// Of those groups that have their bit in `wanted`, in a block of `count` nodes from the packed node `first` on.
+void chord_turns(const ChordLattice& lattice, int first, int count, unsigned wanted, ChordTurns& turns);
 
 // What the kinks of a block's nodes mean at one tool; each group's stand where its distances do.
-struct ChordTerms {
+struct alignas(64) ChordTerms {
   double lift[points_at_a_time];      // mm
   double friction[points_at_a_time];  // 1; m
   double shift[3][points_at_a_time];  // 1; a
 };
 // `length`: per family and node of the block, of which there are `count`, mm; h_f, 0 where one of both chords is missing.
+// The lift is multiplied by `part` and taken off the distances.
 void chord_terms(const ChordTurns& turns, const double* const (&length)[2], int count, const ContactGroups& groups,
-                 const Distances& distances, double friction, ChordTerms& terms);
+                 double friction, double part, Distances& distances, ChordTerms& terms);
 
 // Of the step before: lift (mm) and normal force (N), of nodes that touched; then those of now.
 struct ChordMemory {

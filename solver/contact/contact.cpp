@@ -222,19 +222,18 @@ void Contact::keep_touching(const Touch& touch, int first, double (&gap)[groups_
   for (int g = 0; g < groups.count; ++g) {
     if (gap[g] > lift && touch.held[(first + groups.node[g]) / group_nodes] == 0) continue;
     gap[touching.count] = gap[g];
-    touching.add(groups.node[g], groups.at[g]);
+    touching.add(groups.node[g], groups.at[g], groups.upright[g]);
   }
   groups = touching;
 }
 
 void Contact::lift(const Touch& touch, const State& state, int first, int count, const ContactGroups& groups,
                    Common& common, Distances& distances, ChordTerms& terms) const {
-  for (int g = 0; g < groups.count; ++g) {
-    const int n = groups.node[g];
-    if ((common.turned >> (n / group_nodes) & 1U) == 0)
-      curved_->find_turns(state, first + n, std::min(group_nodes, count - n), n, common.turns);
-    common.turned |= 1U << (n / group_nodes);
-  }
+  unsigned wanted = 0;
+  for (int g = 0; g < groups.count; ++g) wanted |= 1U << (groups.node[g] / group_nodes);
+  wanted &= ~common.turned;
+  if (wanted != 0) curved_->find_turns(state, first, count, wanted, common.turns);
+  common.turned |= wanted;
   curved_->lift_groups(common.turns, state.time, first, count, groups, touch.law.friction, distances, terms);
 }
 
@@ -262,6 +261,7 @@ void Contact::treat_tool(std::size_t number, int block, State& state, double ste
     touch.clearance[(first + near.node[g]) / group_nodes] = std::max(gap[g] - greatest_lift, 0.0);
   keep_touching(touch, first, gap, greatest_lift, near);
   if (near.count == 0) return;
+  find_upright(distances, nodes.count, near);
   if (curved_) {
     lift(touch, state, first, nodes.count, near, common, distances, terms);
     least_gaps(distances, touch.law.offset, nodes, near, gap);

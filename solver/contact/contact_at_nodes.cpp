@@ -94,7 +94,7 @@ ContactState Contact::contact_state(const State& state) const {
       ChordTerms terms;
       if (curved_) {
         ChordTurns turns;
-        curved_->find_turns(state, n, 1, 0, turns);
+        curved_->find_turns(state, n, 1, 1, turns);
         curved_->lift_groups(turns, state.time, n, 1, single_node, touch.law.friction, found, terms);
       }
       const double here = found.distance[0] - offset_at(touch, n);

@@ -64,14 +64,6 @@ template <bool swollen, bool upright>
   }
 }
 
-bool all_upright(const Distances& distances, int at) {
-  double aside = 0.0;
-#pragma omp simd reduction(+ : aside)
-  for (int q = at; q < at + group_nodes; ++q)
-    aside += distances.normal[0][q] * distances.normal[0][q] + distances.normal[1][q] * distances.normal[1][q];
-  return aside == 0.0;
-}
-
 template <bool swollen>
 ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_given, const Distances& distances,
                            double time, const ContactNodes& nodes_given, const ContactGroups& groups) {
@@ -81,8 +73,8 @@ ContactSums contact_forces(const ContactLaw& law_given, const ContactTool& tool_
   const AtTool here = {law, tool, distances, 1.0 / law.softening, time};
   ContactLanes sums{};
   for_groups(
-      groups, nodes.count, [&](int /*group*/, int node, int at, auto lanes) __attribute__((always_inline)) {
-        if (lanes == group_nodes && all_upright(distances, at))
+      groups, nodes.count, [&](int group, int node, int at, auto lanes) __attribute__((always_inline)) {
+        if (groups.upright[group])
           group_forces<swollen, true>(here, nodes, node, at, lanes, sums);
         else
           group_forces<swollen, false>(here, nodes, node, at, lanes, sums);
@@ -115,6 +107,17 @@ void least_gaps(const Distances& distances, double offset, const ContactNodes& n
       });
 }
 
+void find_upright(const Distances& distances, int count, ContactGroups& groups) {
+  for (int g = 0; g < groups.count; ++g) {
+    const double *x = distances.normal[0] + groups.at[g], *y = distances.normal[1] + groups.at[g];
+    unsigned long aside = 0;
+#pragma omp simd reduction(| : aside)
+    for (int lane = 0; lane < group_nodes; ++lane)
+      aside |= __builtin_bit_cast(unsigned long, x[lane]) | __builtin_bit_cast(unsigned long, y[lane]);
+    groups.upright[g] = aside << 1U == 0 && count - groups.node[g] >= group_nodes;  // -0 has a sign
+  }
+}
+
 double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes) {
   const double rx = reference[0], ry = reference[1], rz = reference[2];
   const double *mass = nodes.mass, *vx = nodes.v[0], *vy = nodes.v[1], *vz = nodes.v[2];
@@ -135,6 +138,7 @@ const ContactLoops contact_loops = {.contact_forces = contact_forces<false>,
                                     .swollen_contact_forces = contact_forces<true>,
                                     .least_gaps = least_gaps<false>,
                                     .swollen_least_gaps = least_gaps<true>,
+                                    .find_upright = find_upright,
                                     .greatest_speed = greatest_speed};
 
 }  // namespace weaveform::WEAVEFORM_SET

@@ -59,18 +59,21 @@ struct ContactNodes {
 };
 
 // Some of a block's nodes, a vector of them at a time (fewer where the block ends): group g has the nodes from node[g]
-// on, and its distances stand from at[g] on.
+// on, and its distances stand from at[g] on. `upright`: there are as many as a vector has, and the tool's normals there are
+// (0, 0, n2).
 inline constexpr int group_nodes = 8, groups_in_block = points_at_a_time / group_nodes;
 struct ContactGroups {
   int count = 0;
   int node[groups_in_block], at[groups_in_block];
-  void add(int first_node, int first_distance) {
+  bool upright[groups_in_block];
+  void add(int first_node, int first_distance, bool stands_upright = false) {
     node[count] = first_node;
-    at[count++] = first_distance;
+    at[count] = first_distance;
+    upright[count++] = stands_upright;
   }
 };
 
-inline constexpr ContactGroups single_node = {.count = 1, .node = {0}, .at = {0}};
+inline constexpr ContactGroups single_node = {.count = 1, .node = {0}, .at = {0}, .upright = {false}};
 
 // Sums over groups.
 struct ContactSums {
@@ -89,6 +92,9 @@ struct ContactSums {
 void least_gaps(const Distances& distances, double offset, const ContactNodes& nodes, const ContactGroups& groups,
                 double (&gap)[groups_in_block]);
 
+// Fills in `upright` of the groups of a block of `count` nodes.
+void find_upright(const Distances& distances, int count, ContactGroups& groups);
+
 // mm/s; greatest |v - reference| of the nodes that exist.
 [[nodiscard]] double greatest_speed(const std::array<double, 3>& reference, const ContactNodes& nodes);
 
@@ -96,6 +102,7 @@ void least_gaps(const Distances& distances, double offset, const ContactNodes& n
 struct ContactLoops {
   decltype(&weaveform::contact_forces) contact_forces, swollen_contact_forces;
   decltype(&weaveform::least_gaps) least_gaps, swollen_least_gaps;
+  decltype(&weaveform::find_upright) find_upright;
   decltype(&weaveform::greatest_speed) greatest_speed;
 };
 

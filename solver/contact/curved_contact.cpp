@@ -62,29 +62,20 @@ void CurvedContact::archive(Memory& memory, Archive& archive) {
   archive.numbers("a contact's normal force", memory.normal);
 }
 
-void CurvedContact::find_turns(const State& state, int first, int count, int place, ChordTurns& turns) const {
-  ChordLattice lattice{};
-  lattice.count = count;
-  lattice.first = first;
-  lattice.place = place;
-  lattice.stride = even_[first / group_nodes] != 0 ? stride_ : 0;
-  for (int c = 0; c < 3; ++c) lattice.x[c] = state.position[c].data();
-  for (int f = 0; f < 2; ++f) {
-    lattice.before[f] = before_[f].data() + first;
-    lattice.after[f] = after_[f].data() + first;
-  }
-  chord_turns(lattice, turns);
+void CurvedContact::find_turns(const State& state, int first, int count, unsigned wanted, ChordTurns& turns) const {
+  const ChordLattice lattice = {.x = {state.position[0].data(), state.position[1].data(), state.position[2].data()},
+                                .before = {before_[0].data(), before_[1].data()},
+                                .after = {after_[0].data(), after_[1].data()},
+                                .even = even_.data(),
+                                .stride = stride_};
+  chord_turns(lattice, first, count, wanted, turns);
 }
 
 void CurvedContact::lift_groups(const ChordTurns& turns, double time, int first, int count, const ContactGroups& groups,
                                 double friction, Distances& distances, ChordTerms& terms) const {
-  chord_terms(turns, {length_[0].data() + first, length_[1].data() + first}, count, groups, distances, friction, terms);
   const double part = onset_ > 0.0 ? smooth_step(std::min(time / onset_, 1.0)) : 1.0;
-  for (int g = 0; g < groups.count; ++g)
-    for (int q = groups.at[g]; q < groups.at[g] + std::min(group_nodes, count - groups.node[g]); ++q) {
-      terms.lift[q] *= part;
-      distances.distance[q] -= terms.lift[q];
-    }
+  chord_terms(turns, {length_[0].data() + first, length_[1].data() + first}, count, groups, friction, part, distances,
+              terms);
 }
 
 }  // namespace weaveform

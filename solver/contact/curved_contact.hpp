@@ -35,10 +35,9 @@ public:
   [[nodiscard]] Memory new_memory() const;
   static void archive(Memory& memory, Archive& archive);
 
-  // Of the group of nodes first <= n < first + count; `place` is where it stands among its block's turns.
-  void find_turns(const State& state, int first, int count, int place, ChordTurns& turns) const;
-  // The terms at a tool of groups of the block that begins with the packed node `first`; their lift is taken off the
-  // distances.
+  // Of a block of `count` packed nodes from `first` on, the groups that have their bit in `wanted`.
+  void find_turns(const State& state, int first, int count, unsigned wanted, ChordTurns& turns) const;
+  // The terms of its groups at a tool; their lift is taken off the distances.
   void lift_groups(const ChordTurns& turns, double time, int first, int count, const ContactGroups& groups,
                    double friction, Distances& distances, ChordTerms& terms) const;
 

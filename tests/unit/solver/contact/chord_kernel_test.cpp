@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace weaveform {
@@ -27,13 +29,17 @@ struct Crossing {
     for (const Vector3d& p : {Vector3d(0, 0, 0), before[0], after[0], before[1], after[1]})
       for (int c = 0; c < 3; ++c) x[c].push_back(p[c]);
     const int b[2] = {1, 3}, a[2] = {2, 4};
-    const ChordLattice lattice{1, 0, 0, 0, {x[0].data(), x[1].data(), x[2].data()}, {&b[0], &b[1]}, {&a[0], &a[1]}};
+    const ChordLattice lattice = {.x = {x[0].data(), x[1].data(), x[2].data()},
+                                  .before = {&b[0], &b[1]},
+                                  .after = {&a[0], &a[1]},
+                                  .even = nullptr,
+                                  .stride = 0};
     ChordTurns turns;
-    chord_turns(lattice, turns);
+    chord_turns(lattice, 0, 1, 1, turns);
     Distances distances{};
     for (int c = 0; c < 3; ++c) distances.normal[c][0] = n[c];
     ChordTerms terms;
-    chord_terms(turns, {&length[0], &length[1]}, 1, single_node, distances, mu, terms);
+    chord_terms(turns, {&length[0], &length[1]}, 1, single_node, mu, 1.0, distances, terms);
     return terms;
   }
 };
@@ -136,6 +142,114 @@ TEST(ChordKernel, ASlidingNodesForceLiesOnTheBeltsConeAboutTheBisector) {
     EXPECT_NEAR(across, terms.friction[0] * along, 1e-9 * along) << way;
     EXPECT_LT((f - along * bisector).dot(Vector3d(way, 0.0, 0.0)), 0.0);  // against the way
     EXPECT_NEAR(f[2], normal, 1e-9 * normal);                             // the normal spring keeps to the normal
+  }
+}
+
+// Three uneven weft rows of nodes, the middle one of which touches a plane.
+struct Rows {
+  static constexpr int count = 27, first = count;  // of the middle row; three of its nodes are no whole group
+  std::array<std::vector<double>, 3> x, v, anchor, drag, force;
+  std::array<std::vector<int>, 2> before, after;
+  std::vector<double> mass, area, length, lift, normal;
+  std::vector<char> even;
+  Vector3d axis;
+
+  explicit Rows(const Vector3d& upward) : axis(upward) {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> draw(-1.0, 1.0);
+    for (int n = 0; n < 3 * count; ++n) {
+      const int row = n / count;
+      const Vector3d flat = h * Vector3d(n % count, row - 1.0, 0.0);
+      const Vector3d place = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis) * flat + 0.25 * axis +
+                             0.05 * Vector3d(draw(generator), draw(generator), draw(generator));
+      for (int c = 0; c < 3; ++c) {
+        x[c].push_back(place[c]);
+        v[c].push_back(3000.0 * draw(generator));
+        anchor[c].push_back(n % 3 == 0 && c == 0 ? no_anchor : place[c] + 1e-3 * draw(generator));
+        drag[c].push_back(n % 3 == 0 ? 0.0 : 1e-3 * draw(generator));
+        force[c].push_back(0.0);
+      }
+      const std::array<int, 2> step = {1, count};
+      for (int f = 0; f < 2; ++f) {
+        before[f].push_back(n - step[f]);
+        after[f].push_back(n + step[f]);
+      }
+      mass.push_back(3e-7 * (1.0 + 0.01 * n));
+      area.push_back(h * h);
+      length.push_back(n == first ? 0.0 : h);
+      lift.push_back(1e-3 * draw(generator));
+      normal.push_back(0.1 * std::abs(draw(generator)));
+    }
+    even.assign(3 * count / group_nodes + 1, 1);
+  }
+  ContactNodes view(int from, int nodes) {
+    ContactNodes seen{};
+    seen.count = nodes;
+    seen.mass = mass.data() + from;
+    seen.area = area.data() + from;
+    for (int c = 0; c < 3; ++c) {
+      seen.x[c] = x[c].data() + from;
+      seen.v[c] = v[c].data() + from;
+      seen.force[c] = force[c].data() + from;
+      seen.anchor[c] = anchor[c].data() + from;
+      seen.drag[c] = drag[c].data() + from;
+    }
+    return seen;
+  }
+  ContactSums touch(int from, int nodes) {
+    const ContactNodes seen = view(from, nodes);
+    ContactGroups groups;
+    for (int n = 0; n < nodes; n += group_nodes) groups.add(n, n);
+    Distances distances;
+    plane_distances({.origin = {}, .axis = {axis[0], axis[1], axis[2]}}, {seen.x[0], seen.x[1], seen.x[2]}, nodes,
+                    distances);
+    find_upright(distances, nodes, groups);
+    const ChordLattice lattice = {.x = {x[0].data(), x[1].data(), x[2].data()},
+                                  .before = {before[0].data(), before[1].data()},
+                                  .after = {after[0].data(), after[1].data()},
+                                  .even = even.data(),
+                                  .stride = count};
+    ChordTurns turns;
+    chord_turns(lattice, from, nodes, (1U << static_cast<unsigned>(groups.count)) - 1U, turns);
+    ChordTerms terms;
+    chord_terms(turns, {length.data() + from, length.data() + from}, nodes, groups, mu, 0.5, distances, terms);
+    const ContactLaw law{.offset = 0.25, .softening = 0.025, .frequency2 = 5e9, .damping_rate = 1e4, .friction = mu};
+    return chord_forces(law, {{0, 0, 0}, {10, -20, 5}}, distances, terms, 1e-6, seen, groups,
+                        {lift.data() + from, normal.data() + from});
+  }
+};
+
+// Whole groups on an upright tool, and those whose neighbours stand beside them, go another way than single nodes.
+TEST(ChordKernel, AGroupOfNodesFeelsWhatEachOfItsNodesWould) {
+  for (const Vector3d& axis : {Vector3d(0.0, 0.0, 1.0), Vector3d(0.0, 0.0, -1.0), Vector3d(0.6, 0.0, 0.8)}) {
+    Rows together(axis), alone(axis);
+    const ContactSums sums = together.touch(Rows::first, Rows::count);
+    ContactSums sum;
+    for (int n = Rows::first; n < Rows::first + Rows::count; ++n) {
+      const ContactSums one = alone.touch(n, 1);
+      sum.area += one.area;
+      sum.energy += one.energy;
+      sum.friction_work += one.friction_work;
+      sum.damping_work += one.damping_work;
+    }
+    double size = 0.0, apart = 0.0;  // N
+    for (int n = Rows::first; n < Rows::first + Rows::count; ++n) {
+      for (int c = 0; c < 3; ++c) {
+        size = std::max(size, std::abs(alone.force[c][n]));
+        apart = std::max({apart, std::abs(together.force[c][n] - alone.force[c][n]),
+                          std::abs(together.drag[c][n] - alone.drag[c][n])});
+        EXPECT_NEAR(together.anchor[c][n], alone.anchor[c][n], 1e-12 * std::abs(alone.anchor[c][n]));
+      }
+      EXPECT_NEAR(together.lift[n], alone.lift[n], 1e-12 * h);
+      EXPECT_NEAR(together.normal[n], alone.normal[n], 1e-11 * std::abs(alone.normal[n]));
+    }
+    ASSERT_GT(size, 0.0);
+    EXPECT_LT(apart, 1e-12 * size);
+    // of parts of either sign
+    EXPECT_NEAR(sums.area, sum.area, 1e-12 * sum.area);
+    EXPECT_NEAR(sums.energy, sum.energy, 1e-12 * sum.energy);
+    EXPECT_NEAR(sums.friction_work, sum.friction_work, 1e-10 * std::abs(sum.friction_work));
+    EXPECT_NEAR(sums.damping_work, sum.damping_work, 1e-10 * std::abs(sum.damping_work));
   }
 }
 

@@ -201,10 +201,13 @@ struct Row {
     }
     return seen;
   }
-  ContactSums touch(int first, int nodes, const ContactGroups& groups) {
+  ContactSums touch(int first, int nodes, ContactGroups groups) {
     Distances distances;
     const ContactNodes seen = view(first, nodes);
     plane_distances({.origin = {}, .axis = axis}, {seen.x[0], seen.x[1], seen.x[2]}, nodes, distances);
+    find_upright(distances, nodes, groups);
+    for (int g = 0; g < groups.count; ++g)
+      EXPECT_EQ(groups.upright[g], nodes - groups.node[g] >= group_nodes && axis[0] == 0.0);
     return contact_forces(law, {{0, 0, 0}, {10, -20, 5}}, distances, 1e-6, seen, groups);
   }
 };
