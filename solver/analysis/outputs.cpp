@@ -1,7 +1,9 @@
 #include "solver/analysis/outputs.hpp"
 
 #include <algorithm>
+#include <numeric>
 
+#include "core/vector/append.hpp"
 #include "solver/bending/flexure.hpp"
 #include "solver/result/file_names.hpp"
 
@@ -23,6 +25,19 @@ std::vector<BlankPlane> planes_of(const World& world) {
   std::vector<BlankPlane> planes;
   for (std::size_t k = 0; k < world.size(); ++k) planes.push_back(blank_plane(world.ply(k).whole()));
   return planes;
+}
+
+// Of the plies of a stack, whose greatest angle is shown, all; of a single one those of its measures.
+std::vector<std::vector<int>> cells_looked_at(const World& world, bool is_stack, const std::vector<Probe>& probes) {
+  std::vector<std::vector<int>> cells(world.size());
+  if (is_stack)
+    for (std::size_t k = 0; k < world.size(); ++k) {
+      cells[k].resize(world.ply(k).whole().cells.size());
+      std::iota(cells[k].begin(), cells[k].end(), 0);
+    }
+  else
+    for (const Probe& probe : probes) append(cells.front(), probe.cell);
+  return cells;
 }
 
 ContactState whole_contact_state(const Ply& ply, const Contact& contact) {
@@ -69,6 +84,7 @@ Outputs::Outputs(const Resolved& model, const World& world, std::filesystem::pat
     recorder_.evaluate_frame({scene_.frame->length, model.of_ply(0).scene.blank.size[0]},
                              static_cast<int>(grips_.grips().size()) - 1);
   if (!scene_.tools.empty()) recorder_.record_tools(scene_.tools);
+  looked_at_ = cells_looked_at(world, !whole_.ply.empty(), recorder_.probes());
   if (!whole_.ply.empty()) recorder_.record_plies(whole_.cells, whole_.ply);
 }
 
@@ -87,9 +103,9 @@ Fields Outputs::fields_of_ply(const World& world, std::size_t number, bool frame
   const double time = world.time();
   const auto position = ply.whole_positions();
   // the last row's are what a run ends with
-  Fields fields = frame_due || world.finished() ? compute_fields(ply.whole(), ply.card(), ply.model(), time, position)
-                                                : compute_row_fields(ply.whole(), plane_[number], time, position,
-                                                                     !scene_.measure.empty() || !whole_.ply.empty());
+  Fields fields = frame_due || world.finished()
+                      ? compute_fields(ply.whole(), ply.card(), ply.model(), time, position)
+                      : compute_row_fields(ply.whole(), plane_[number], time, position, looked_at_[number]);
   if (!frame_due) return fields;
   if (world.contact(number) != nullptr) fields.contact = whole_contact_state(ply, *world.contact(number));
   if (world.ply_contact() != nullptr) {

@@ -57,7 +57,8 @@ private:
   const Scene& scene_;
   const Mesh& whole_;  // of all plies
   std::filesystem::path directory_;
-  std::vector<BlankPlane> plane_;  // per ply
+  std::vector<BlankPlane> plane_;            // per ply
+  std::vector<std::vector<int>> looked_at_;  // per ply, cells whose shear angles a row shows
   WholeGrips grips_;
   Recorder recorder_;
   Schedule row_schedule_, frame_schedule_;

@@ -46,6 +46,7 @@ public:
   // Closes the last window.
   void finish();
 
+  [[nodiscard]] const std::vector<Probe>& probes() const { return probes_; }
   [[nodiscard]] const History& history() const { return history_; }
   // Rows from the first that nothing will change any more.
   [[nodiscard]] int closed_rows() const { return window_.row; }

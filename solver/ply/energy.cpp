@@ -51,6 +51,7 @@ ShearPotential::ShearPotential(const ShearCard& card, bool constant_thickness)
     : card_(card), constant_thickness_(constant_thickness) {
   const int count = static_cast<int>(table_end / table_step) + 1;
   value_.assign(count, 0.0);
+  for (int n = 0; n < count; ++n) slope_.push_back(slope(n * table_step));
   for (int n = 1; n < count; ++n)
     value_[n] =
         value_[n - 1] + integrate((n - 1) * table_step, n * table_step, 1, [this](double g) { return slope(g); });
@@ -68,7 +69,7 @@ double ShearPotential::operator()(double sin_gamma) const {
   const double log_strain = std::min(std::atanh(std::min(std::abs(sin_gamma), 1.0 - 1e-12)), table_end - 1e-9);
   const int n = std::min(static_cast<int>(log_strain / table_step), static_cast<int>(value_.size()) - 2);
   const double t = log_strain / table_step - n;
-  const double slope0 = slope(n * table_step) * table_step, slope1 = slope((n + 1) * table_step) * table_step;
+  const double slope0 = slope_[n] * table_step, slope1 = slope_[n + 1] * table_step;
   const double rise = value_[n + 1] - value_[n];
   // cubic Hermite through both values and slopes
   return value_[n] + t * (slope0 + t * ((3.0 * rise - 2.0 * slope0 - slope1) + t * (slope0 + slope1 - 2.0 * rise)));
@@ -82,47 +83,57 @@ InternalEnergy::InternalEnergy(const Mesh& mesh, const Card& card, const std::ar
       model_(model),
       potential_(card.shear, model.thickness == Thickness::constant) {}
 
-double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell_work) {
-  double energy = 0.0;
+double InternalEnergy::of_yarns(const std::vector<Vec3>& position) const {
+  const MeshYarns& yarns = mesh_.yarns;
   const bool constant_section = model_.section == Section::constant;
+  double energy = 0.0;
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
-    const auto& a = position[mesh_.yarns.node[e][0]];
-    const auto& b = position[mesh_.yarns.node[e][1]];
-    const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-    const double jaw = mesh_.yarns.jaw[e], rest = mesh_.yarns.rest_length[e] + jaw;
-    const int f = mesh_.yarns.family[e] == Family::warp ? 0 : 1;
-    energy += mesh_.yarns.section[e] * mesh_.yarns.softening[e] * rest *
-              yarn_energy(yarn_laws_[f], std::log((length + jaw) / rest), constant_section);
+    const auto [a, b] = yarns.node[e];
+    const double jaw = yarns.jaw[e], rest = yarns.rest_length[e] + jaw;
+    const double strain = std::log((plain_length(minus(position[b], position[a])) + jaw) / rest);
+    const TangentLaw& law = yarn_laws_[yarns.family[e] == Family::warp ? 0 : 1];
+    energy += yarns.section[e] * yarns.softening[e] * rest * yarn_energy(law, strain, constant_section);
   }
-  if (model_.formulation == Formulation::incremental || model_.formulation == Formulation::side_frame)
-    return energy + cell_work;
+  return energy;
+}
+
+double InternalEnergy::of_cells(const std::vector<Vec3>& position) {
+  const MeshCells& cells = mesh_.cells;
   const bool path_needed = model_.formulation == Formulation::contravariant;
   const bool first_call = path_.stress.empty();
   if (path_needed && first_call) {
-    path_.stress.assign(mesh_.cells.size(), 0.0);
-    path_.log_stretch.assign(mesh_.cells.size(), 0.0);
+    path_.stress.assign(cells.size(), 0.0);
+    path_.log_stretch.assign(cells.size(), 0.0);
   }
-  for (int c = 0; c < mesh_.cells.size(); ++c) {
+  double energy = 0.0;
+  for (int c = 0; c < cells.size(); ++c) {
     Vec3 g1{}, g2{};
-    for (int a = mesh_.cells.offset[c]; a < mesh_.cells.offset[c + 1]; ++a)
+    for (int a = cells.offset[c]; a < cells.offset[c + 1]; ++a)
       for (int k = 0; k < 3; ++k) {
-        g1[k] += mesh_.cells.coefficient[a][0] * position[mesh_.cells.node[a]][k];
-        g2[k] += mesh_.cells.coefficient[a][1] * position[mesh_.cells.node[a]][k];
+        g1[k] += cells.coefficient[a][0] * position[cells.node[a]][k];
+        g2[k] += cells.coefficient[a][1] * position[cells.node[a]][k];
       }
-    const double length1 = std::hypot(g1[0], g1[1], g1[2]), length2 = std::hypot(g2[0], g2[1], g2[2]);
-    const double s = (g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2]) / (length1 * length2);
-    const double volume = mesh_.cells.area[c] * mesh_.thickness;
+    const double stretch = std::sqrt(dot(g1, g1) * dot(g2, g2));  // |g1||g2|
+    const double s = dot(g1, g2) / stretch;
+    const double volume = cells.area[c] * mesh_.thickness;
     energy += volume * potential_(s);
     if (!path_needed) continue;
     const double thinning = model_.thickness == Thickness::constant ? std::sqrt(std::max(0.0, 1.0 - s * s)) : 1.0;
     const double stress =
         volume * thinning * shear_stress(card_.shear, std::atanh(std::clamp(s, -1.0 + 1e-12, 1.0 - 1e-12))) * s;
-    const double log_stretch = std::log(length1 * length2);
+    const double log_stretch = std::log(stretch);
     if (!first_call) path_.work += 0.5 * (stress + path_.stress[c]) * (log_stretch - path_.log_stretch[c]);
     path_.stress[c] = stress;
     path_.log_stretch[c] = log_stretch;
   }
-  return energy + path_.work;
+  return energy;
+}
+
+double InternalEnergy::operator()(const std::vector<Vec3>& position, double cell_work) {
+  const double of_all_yarns = of_yarns(position);
+  if (model_.formulation == Formulation::incremental || model_.formulation == Formulation::side_frame)
+    return of_all_yarns + cell_work;
+  return of_all_yarns + of_cells(position) + path_.work;
 }
 
 void InternalEnergy::archive(Archive& archive) {

@@ -29,7 +29,7 @@ private:
   [[nodiscard]] double slope(double log_strain) const;  // dw/d(gamma_L)
   ShearCard card_;
   bool constant_thickness_;
-  std::vector<double> value_;
+  std::vector<double> value_, slope_;  // mJ/mm^3
 };
 
 class InternalEnergy {
@@ -43,6 +43,8 @@ public:
   void archive(Archive& archive);
 
 private:
+  [[nodiscard]] double of_yarns(const std::vector<Vec3>& position) const;
+  double of_cells(const std::vector<Vec3>& position);
   struct Path {
     double work = 0.0;                // mJ
     std::vector<double> stress;       // MPa; V0 sigma s per cell at the last call

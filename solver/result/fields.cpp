@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/vector/append.hpp"
@@ -31,6 +32,12 @@ YarnDirections directions_at_centre(const MeshCells& cells, int cell, const std:
     g.weft += cells.coefficient[entry][1] * x;
   }
   return g;
+}
+
+// A collapsed cell has no direction, and a frame must hold no NaN.
+YarnDirections unit_directions(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
+  const YarnDirections g = directions_at_centre(cells, cell, position);
+  return {unit_or_zero(g.warp), unit_or_zero(g.weft)};
 }
 
 // sin gamma = g1.g2 (unit vectors), taken as atan2(g1.g2, |g1 x g2|): the arc sine alone loses half the digits near 90
@@ -106,12 +113,10 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
   fields.warp.resize(cells.size());
   fields.weft.resize(cells.size());
   for (int cell = 0; cell < cells.size(); ++cell) {
-    const YarnDirections g = directions_at_centre(cells, cell, fields.position);
-    // a collapsed cell has no direction, and a frame must hold no NaN
-    const Vector3d warp = unit_or_zero(g.warp), weft = unit_or_zero(g.weft);
-    fields.shear_angle[cell] = shear_angle(warp, weft);
-    fields.warp[cell] = array_of(warp);
-    fields.weft[cell] = array_of(weft);
+    const YarnDirections g = unit_directions(cells, cell, fields.position);
+    fields.shear_angle[cell] = shear_angle(g.warp, g.weft);
+    fields.warp[cell] = array_of(g.warp);
+    fields.weft[cell] = array_of(g.weft);
   }
 }
 
@@ -229,11 +234,15 @@ std::vector<bool> folded_cells(const Mesh& mesh, const BlankPlane& plane, const 
 }
 
 Fields compute_row_fields(const Mesh& mesh, const BlankPlane& plane, double time, const std::vector<Vec3>& position,
-                          bool with_angles) {
+                          const std::vector<int>& looked_at) {
   Fields fields;
   fields.time = time;
   fields.position = position;
-  if (with_angles) fill_cells(mesh.cells, fields);
+  fields.shear_angle.assign(mesh.cells.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const int cell : looked_at) {
+    const YarnDirections g = unit_directions(mesh.cells, cell, position);
+    fields.shear_angle[cell] = shear_angle(g.warp, g.weft);
+  }
   fields.folded = folded_cells(mesh, plane, position);
   return fields;
 }

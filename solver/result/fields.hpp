@@ -51,9 +51,9 @@ struct BlankPlane {
 [[nodiscard]] BlankPlane blank_plane(const Mesh& mesh);
 
 // What a row of history needs of the fields, for a fraction of their cost: time, position, folded, and the shear angles
-// of all cells when `with_angles`.
+// of `looked_at` cells. Those of other cells are not a number.
 [[nodiscard]] Fields compute_row_fields(const Mesh& mesh, const BlankPlane& plane, double time,
-                                        const std::vector<Vec3>& position, bool with_angles);
+                                        const std::vector<Vec3>& position, const std::vector<int>& looked_at);
 
 // A cell is folded (inverted) when its oriented area g1 x g2 points against the mean oriented area of the whole patch
 // of cells around it (cells sharing a node), or, on a planar blank, against the blank's own normal.
