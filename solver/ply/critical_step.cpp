@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/vector/eigen_vector.hpp"
 #include "solver/constraint/ties.hpp"
@@ -91,10 +92,8 @@ void CriticalStep::add_other_sides(std::vector<Matrix3d>& bound) const {
   }
 }
 
-StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std::array<double, 2>& yarn_modulus,
-                                    std::vector<double> further) const {
-  if (!further.empty())
-    for (const auto& image : mesh_.symmetry.image) further[image.of] += further[image.node];
+NodeStiffness CriticalStep::at_nodes(const std::vector<Vec3>& position,
+                                     const std::array<double, 2>& yarn_modulus) const {
   std::vector<Matrix3d> bound(mesh_.node_count(), Matrix3d::Zero());
   for (int e = 0; e < mesh_.yarn_count(); ++e) {
     const auto [a, b] = mesh_.yarns.node[e];
@@ -105,7 +104,6 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
     bound[b] += (held_[a] ? 1.0 : 2.0) * stiffness;
   }
   std::vector<double> cell_rows(mesh_.node_count(), 0.0);
-  const auto further_at = [&](int n) { return further.empty() ? 0.0 : further[n]; };
   for (int c = 0; c < mesh_.cells.size(); ++c) {
     const int begin = mesh_.cells.offset[c], end = mesh_.cells.offset[c + 1];
     const ShearLevers lever = shear_levers(mesh_.cells, c, position);
@@ -126,11 +124,24 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
   }
   move_images(bound, cell_rows);
   add_other_sides(bound);
+  NodeStiffness stiffness = {.yarns = std::vector<double>(mesh_.node_count(), 0.0), .cells = std::move(cell_rows)};
+  for (int n = 0; n < mesh_.node_count(); ++n)
+    if (held_[n] != 0 || tied_[n] != 0)
+      stiffness.cells[n] = 0.0;
+    else
+      stiffness.yarns[n] = greatest_eigenvalue(bound[n]);
+  return stiffness;
+}
+
+StableStep CriticalStep::step(const NodeStiffness& stiffness, std::vector<double> further) const {
+  if (!further.empty())
+    for (const auto& image : mesh_.symmetry.image) further[image.of] += further[image.node];
+  const auto further_at = [&](int n) { return further.empty() ? 0.0 : further[n]; };
   double greatest = 0.0;
   int at = -1;
   for (int n = 0; n < mesh_.node_count(); ++n) {
     if (held_[n] != 0 || tied_[n] != 0) continue;
-    const double lambda = (greatest_eigenvalue(bound[n]) + cell_rows[n] + further_at(n)) / mesh_.nodes.mass[n];
+    const double lambda = (stiffness.yarns[n] + stiffness.cells[n] + further_at(n)) / mesh_.nodes.mass[n];
     if (lambda > greatest) {
       greatest = lambda;
       at = n;
@@ -139,7 +150,9 @@ StableStep CriticalStep::operator()(const std::vector<Vec3>& position, const std
   const double step = greatest > 0.0 ? 2.0 / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
   if (at < 0) return {step, "nothing"};
   const double half = 0.5 * greatest * mesh_.nodes.mass[at];
-  const char* part = further_at(at) > half ? "bending and contact" : cell_rows[at] > half ? "shear cells" : "yarns";
+  const char* part = further_at(at) > half        ? "bending and contact"
+                     : stiffness.cells[at] > half ? "shear cells"
+                                                  : "yarns";
   return {step, std::string(part) + " at node " + std::to_string(mesh_.shown_node(at))};
 }
 

@@ -25,6 +25,12 @@ struct StableStep {
   std::string set_by;  // e.g. "yarns at node 123"
 };
 
+// N/mm; per mesh node, 0 where it is held or follows others.
+struct NodeStiffness {
+  std::vector<double> yarns;  // greatest eigenvalue
+  std::vector<double> cells;  // row sum
+};
+
 class CriticalStep {
 public:
   // `held`: per mesh node, true where every component is prescribed.
@@ -32,10 +38,16 @@ public:
                std::vector<char> held);
   // MPa; the stiffest tangent of each family's yarns at the allowed strains
   [[nodiscard]] std::array<double, 2> stiffest(const FamilyStrains& allowed) const;
-  // `yarn_modulus` (MPa): of each family. `further`: per mesh node, row sums of everything else that is stiff there
-  // (N/mm); may be empty.
-  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position, const std::array<double, 2>& yarn_modulus,
-                                      std::vector<double> further = {}) const;
+  // `yarn_modulus` (MPa): of each family.
+  [[nodiscard]] NodeStiffness at_nodes(const std::vector<Vec3>& position,
+                                       const std::array<double, 2>& yarn_modulus) const;
+  // `further`: per mesh node, row sums of everything else that is stiff there (N/mm); may be empty.
+  [[nodiscard]] StableStep step(const NodeStiffness& stiffness, std::vector<double> further = {}) const;
+  // Of yarns and cells alone.
+  [[nodiscard]] StableStep operator()(const std::vector<Vec3>& position,
+                                      const std::array<double, 2>& yarn_modulus) const {
+    return step(at_nodes(position, yarn_modulus));
+  }
 
 private:
   void move_images(std::vector<Eigen::Matrix3d>& bound, std::vector<double>& cell_rows) const;

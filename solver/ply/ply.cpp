@@ -130,12 +130,13 @@ StableStep Ply::renew_stable_step() {
   reach_.renew();
   yarn_modulus_ = critical_step_.stiffest(reach_.allowed());
   const auto position = positions();
-  StableStep stable = critical_step_(position, yarn_modulus_);
+  const NodeStiffness stiffness = critical_step_.at_nodes(position, yarn_modulus_);
+  StableStep stable = critical_step_.step(stiffness);
   if (!actors_.empty()) {
     const double fabric_frequency = 2.0 / (std::isfinite(stable.step) ? stable.step : fabric_step_);
     std::vector<double> further(mesh_.node_count(), 0.0);
     for (const auto& actor : actors_) actor->add_stiffness_bound(position, fabric_frequency, further);
-    stable = critical_step_(position, yarn_modulus_, further);
+    stable = critical_step_.step(stiffness, further);
     for (const auto& actor : actors_)
       if (actor->longest_step() < stable.step) stable = {actor->longest_step(), actor->name()};
   }
