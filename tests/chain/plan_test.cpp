@@ -31,9 +31,11 @@ Row row_of(const std::string& table, const std::string& factor) {
   return {};
 }
 
-// The trial that steps are taken from is the finest level of a few seconds; a sanitizer's is a coarser one.
+// The trial that steps are taken from is the finest level of a few seconds. A sanitizer's is one of cells twice as large
+// where the machine has other things to do: less sheared, the plain weave's bias extension then takes 15.3 % fewer steps
+// (11638 at coarsening 4, 27484 at 2).
 #if defined(__SANITIZE_ADDRESS__)
-constexpr double steps_within = 0.15;
+constexpr double steps_within = 0.16;
 #else
 constexpr double steps_within = 0.04;
 #endif
