@@ -1,6 +1,7 @@
 // Whether a team works together or its caller alone, from the time that steps take: where loops are short, or the machine
 // is busy with something else, waiting for each other costs more than help brings. Both ways are tried for some
-// milliseconds, the faster one is kept for half a second, then they are compared again. Results do not depend on it.
+// milliseconds, the faster one is kept for half a second (a twentieth of one at first), then they are compared again.
+// Results do not depend on it.
 #pragma once
 
 #include "solver/state/team.hpp"
@@ -9,14 +10,15 @@ namespace weaveform {
 
 class Pace {
 public:
+  Pace();
   // Called before every step with the time on any clock, s. True while the team is to work together.
   [[nodiscard]] bool together(double now);
 
 private:
-  enum class Phase { way_at_hand, other_way, kept };
+  enum class Phase { first_steps, way_at_hand, other_way, kept };
   void begin(Phase phase, double now);
 
-  Phase phase_ = Phase::way_at_hand;
+  Phase phase_ = Phase::first_steps;
   bool together_ = true;
   bool started_ = false;
   double start_ = 0.0;      // s; of the phase
@@ -24,6 +26,7 @@ private:
   double step_time_ = 0.0;  // s; of the way at hand
   double trial_ = 0.0;      // s; that it took
   double kept_for_ = 0.0;   // s
+  double kept_share_;       // 1; of the whole time that a way is kept
 };
 
 // Keeps a team's pace by the clock of the machine.

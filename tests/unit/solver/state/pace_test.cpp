@@ -53,6 +53,16 @@ TEST(Pace, FollowsAChangeWithinSeconds) {
   EXPECT_GT(run.share_together(2e-5, 1e-5, 5.0), 0.9);
 }
 
+// Memory that is touched for the first time, tools that meet the fabric: what the first steps tell lasts for a twentieth
+// of a second.
+TEST(Pace, ASlowStartIsNotHeldAgainstTheTeam) {
+  for (const double slow_for : {0.002, 0.008, 0.02}) {
+    PacedRun run;
+    (void)run.share_together(1e-4, 3e-4, slow_for);
+    EXPECT_GT(run.share_together(1e-4, 6e-5, 1.0), 0.8) << slow_for;
+  }
+}
+
 TEST(Pace, LeavesACoreToOthersForAGainThatIsNone) {
   EXPECT_LT(PacedRun().share_together(2e-5, 1.99e-5, 20.0), 0.03);
 }
