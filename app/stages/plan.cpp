@@ -21,8 +21,9 @@ namespace {
 
 constexpr std::array factors = {8.0, 4.0, 2.0, 1.0, 0.5};  // from coarse to fine: memory only grows
 constexpr int trial_steps = 400, least_trial_steps = 4;
-constexpr double trial_cell_steps = 4e7;  // some seconds
-constexpr double trial_seconds = 3.0;     // levels that take less are run to their end
+// Some seconds: a trial has no more, and levels with less are run to their end. Work, not time, so that a plan's steps are
+// the same on any machine.
+constexpr double trial_cell_steps = 4e7;
 
 double peak_megabytes() {
   rusage usage{};
@@ -86,7 +87,7 @@ std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<
     try {
       const Resolved model = checked_model(scene_file, with_factor, false, Look::for_first_complaint);
       row = measured_row(model, threads);
-      if (row.seconds * row.steps < trial_seconds) known = shortening(model, threads);
+      if (row.solved * row.steps < trial_cell_steps) known = shortening(model, threads);
     } catch (const InputError& error) {
       row.refused = error.complaints().front();
     }

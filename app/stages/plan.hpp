@@ -26,8 +26,8 @@ struct PlanRow {
 };
 
 // Coarsening 8, 4, 2, 1 and a half of the scene's. Cells, lengths and the flat step are those of the real mesh; steps
-// are duration over step, times what shear shortened the step by in a trial: the finest level of a few seconds, run to
-// its end. Seconds are steps times what a few hundred steps took on the very mesh, on this machine, now. Throws
+// are duration over step, times what shear shortened the step by in a trial: the finest level of a few seconds' work, run
+// to its end. Seconds are steps times what a few hundred steps took on the very mesh, on this machine, now. Throws
 // InputError when no level can be meshed.
 [[nodiscard]] std::vector<PlanRow> make_plan(const std::string& scene_file, const std::vector<std::string>& overrides,
                                              int threads);

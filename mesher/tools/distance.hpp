@@ -23,7 +23,7 @@ struct Placement {
 // Points measured at a time: a few vector registers of each quantity, all within the first cache.
 inline constexpr int points_at_a_time = 64;
 
-struct alignas(64) Distances {
+struct Distances {
   double distance[points_at_a_time];   // mm; from the tool's surface, negative inside
   double normal[3][points_at_a_time];  // unit; outward. The nearest point of the surface is x - distance * normal
 };

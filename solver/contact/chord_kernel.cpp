@@ -13,9 +13,9 @@ constexpr double least_kink = 1e-9;     // rad
 constexpr double steepest = 0.75;       // (t.n)^2; a chord that stands on the tool is no chord of an arc
 
 struct Kink {
-  double theta;  // rad; towards the tool positive
-  double share;
-  double off[3];  // a = share off
+  double theta;   // rad; towards the tool positive
+  double share;   // 1; a = share off
+  double off[3];  // 1; of the chords' mean direction, what lies in the tool's surface
 };
 
 struct Turn {
@@ -67,17 +67,16 @@ void chord_turns(const ChordLattice& lattice_given, int first, int count, unsign
   for (int n = 0; n < count; n += group_nodes, wanted >>= 1U) {
     if ((wanted & 1U) == 0) continue;
     const int here = first + n, rest = count - n;
+    const bool whole = rest >= group_nodes, even = whole && lattice.even[here / group_nodes] != 0;
     for (int family = 0; family < 2; ++family)
-      if (rest < group_nodes)
-        turns_of<false>(lattice, family, here, n, rest, turns);
-      else if (lattice.even[here / group_nodes] != 0)
+      if (even)
         turns_of<true>(lattice, family, here, n, group_nodes, turns);
       else
-        turns_of<false>(lattice, family, here, n, group_nodes, turns);
+        turns_of<false>(lattice, family, here, n, whole ? group_nodes : rest, turns);
   }
 }
 
-// c is the turn, t along the mean of both chords.
+// c is the turn, t the mean of both chords' directions, of any length.
 template <bool upright>
 [[gnu::always_inline]] inline Kink kink(const double (&c)[3], const double (&t)[3], const double (&n)[3], bool exists) {
   const double steep = along<upright>(t, n), square = steep * steep;
@@ -99,7 +98,7 @@ struct Terms {
   double lift, friction, shift[3];
 };
 
-// mu and the belt's coefficients of theta^2, theta^4 and theta^6: m = mu - theta^2 (b[0] - theta^2 (b[1] - theta^2 b[2]))
+// The header's series of m multiplied out: m = mu - theta^2 (b[0] - theta^2 (b[1] - theta^2 b[2])).
 struct Belt {
   double mu, b[3];
   explicit Belt(double friction)
@@ -112,6 +111,7 @@ struct Belt {
   Terms terms;
   terms.lift = (length1 * warp.theta * square1 + length2 * weft.theta * square2) /
                (24.0 * (square1 + square2 + least_kink * least_kink));
+  // as max(theta, 0), which g++ makes two divisions of
   const double towards1 = 0.5 * (warp.theta + std::abs(warp.theta)),
                towards2 = 0.5 * (weft.theta + std::abs(weft.theta));
   const double inverse = 1.0 / (towards1 + towards2 + least_kink);

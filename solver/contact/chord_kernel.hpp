@@ -40,7 +40,7 @@ struct ChordLattice {
 };
 
 // Of a block's nodes, whatever tool they touch.
-struct alignas(64) ChordTurns {
+struct ChordTurns {
   double turn[2][3][points_at_a_time];  // 1; unit direction after less that before
   double mean[2][3][points_at_a_time];  // 1; of both: along t, shorter where they turn
 };
@@ -48,7 +48,7 @@ struct alignas(64) ChordTurns {
 void chord_turns(const ChordLattice& lattice, int first, int count, unsigned wanted, ChordTurns& turns);
 
 // What the kinks of a block's nodes mean at one tool; each group's stand where its distances do.
-struct alignas(64) ChordTerms {
+struct ChordTerms {
   double lift[points_at_a_time];      // mm
   double friction[points_at_a_time];  // 1; m
   double shift[3][points_at_a_time];  // 1; a

@@ -124,7 +124,7 @@ struct ContactShare {
 };
 
 // Sums over nodes by the place in their group, and so the same for any width of vectors.
-struct alignas(64) ContactLanes {
+struct ContactLanes {
   double force[3][group_nodes], area[group_nodes], energy[group_nodes], friction[group_nodes], damping[group_nodes];
 
   [[gnu::always_inline]] void add(int lane, const ContactShare& share) {

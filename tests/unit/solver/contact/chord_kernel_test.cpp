@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/touching_nodes.hpp"
+
 namespace weaveform {
 namespace {
 
@@ -146,11 +148,10 @@ TEST(ChordKernel, ASlidingNodesForceLiesOnTheBeltsConeAboutTheBisector) {
 }
 
 // Three uneven weft rows of nodes, the middle one of which touches a plane.
-struct Rows {
+struct Rows : test::TouchingNodes {
   static constexpr int count = 27, first = count;  // of the middle row; three of its nodes are no whole group
-  std::array<std::vector<double>, 3> x, v, anchor, drag, force;
   std::array<std::vector<int>, 2> before, after;
-  std::vector<double> mass, area, length, lift, normal;
+  std::vector<double> length, lift, normal;
   std::vector<char> even;
   Vector3d axis;
 
@@ -174,7 +175,7 @@ struct Rows {
         before[f].push_back(n - step[f]);
         after[f].push_back(n + step[f]);
       }
-      mass.push_back(3e-7 * (1.0 + 0.01 * n));
+      node_mass.push_back(3e-7 * (1.0 + 0.01 * n));
       area.push_back(h * h);
       length.push_back(n == first ? 0.0 : h);
       lift.push_back(1e-3 * draw(generator));
@@ -182,24 +183,9 @@ struct Rows {
     }
     even.assign(3 * count / group_nodes + 1, 1);
   }
-  ContactNodes view(int from, int nodes) {
-    ContactNodes seen{};
-    seen.count = nodes;
-    seen.mass = mass.data() + from;
-    seen.area = area.data() + from;
-    for (int c = 0; c < 3; ++c) {
-      seen.x[c] = x[c].data() + from;
-      seen.v[c] = v[c].data() + from;
-      seen.force[c] = force[c].data() + from;
-      seen.anchor[c] = anchor[c].data() + from;
-      seen.drag[c] = drag[c].data() + from;
-    }
-    return seen;
-  }
   ContactSums touch(int from, int nodes) {
     const ContactNodes seen = view(from, nodes);
-    ContactGroups groups;
-    for (int n = 0; n < nodes; n += group_nodes) groups.add(n, n);
+    ContactGroups groups = test::groups_of(nodes);
     Distances distances;
     plane_distances({.origin = {}, .axis = {axis[0], axis[1], axis[2]}}, {seen.x[0], seen.x[1], seen.x[2]}, nodes,
                     distances);

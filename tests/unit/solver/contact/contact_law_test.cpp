@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/contact/contact_kernel.hpp"
+#include "tests/support/touching_nodes.hpp"
 
 namespace weaveform {
 namespace {
@@ -166,10 +167,8 @@ TEST(ContactLaw, NodesThatDoNotExistFeelNothingAndDoNotCount) {
 }
 
 // Eight and more nodes in arrays, on a plane that stands as `axis` says.
-struct Row {
+struct Row : test::TouchingNodes {
   static constexpr int count = 3 * group_nodes + 3;
-  std::array<std::vector<double>, 3> x, v, anchor, drag, force;
-  std::vector<double> node_mass, area;
   std::array<double, 3> axis;
 
   explicit Row(const std::array<double, 3>& upward) : axis(upward) {
@@ -187,20 +186,6 @@ struct Row {
       area.push_back(20.0 + n);
     }
   }
-  ContactNodes view(int first, int nodes) {
-    ContactNodes seen{};
-    seen.count = nodes;
-    seen.mass = node_mass.data() + first;
-    seen.area = area.data() + first;
-    for (int c = 0; c < 3; ++c) {
-      seen.x[c] = x[c].data() + first;
-      seen.v[c] = v[c].data() + first;
-      seen.force[c] = force[c].data() + first;
-      seen.anchor[c] = anchor[c].data() + first;
-      seen.drag[c] = drag[c].data() + first;
-    }
-    return seen;
-  }
   ContactSums touch(int first, int nodes, ContactGroups groups) {
     Distances distances;
     const ContactNodes seen = view(first, nodes);
@@ -217,9 +202,7 @@ struct Row {
 TEST(ContactLaw, AGroupOfNodesFeelsWhatEachOfItsNodesWould) {
   for (const std::array<double, 3>& axis : {std::array{0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {0.6, 0.0, 0.8}}) {
     Row together(axis), alone(axis);
-    ContactGroups all;
-    for (int n = 0; n < Row::count; n += group_nodes) all.add(n, n);
-    const ContactSums sums = together.touch(0, Row::count, all);
+    const ContactSums sums = together.touch(0, Row::count, test::groups_of(Row::count));
     ContactSums sum;
     for (int n = 0; n < Row::count; ++n) {
       const ContactSums one = alone.touch(n, 1, single_node);
@@ -248,9 +231,7 @@ TEST(ContactLaw, AGroupOfNodesFeelsWhatEachOfItsNodesWould) {
 
 TEST(ContactLaw, WhatDoesNotTouchHasNoAnchorAndNoDrag) {
   Row row({0.0, 0.0, 1.0});
-  ContactGroups all;
-  for (int n = 0; n < Row::count; n += group_nodes) all.add(n, n);
-  (void)row.touch(0, Row::count, all);
+  (void)row.touch(0, Row::count, test::groups_of(Row::count));
   for (int n = 0; n < Row::count; ++n) {
     EXPECT_EQ(row.anchor[0][n] < no_anchor, row.x[2][n] < law.offset);
     if (row.x[2][n] < law.offset) continue;

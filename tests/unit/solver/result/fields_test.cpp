@@ -30,6 +30,22 @@ Fields stretched(Mesh mesh, const ModelSpec& model, double length) {
   return compute_fields(mesh, test::small_card(), model, 0.0, position);
 }
 
+TEST(Fields, ARowHasTheAnglesItShowsAndNoOthers) {
+  const Mesh mesh = test::lattice(5, 4, 5.0);
+  const auto position = moved_rigidly(test::trellis(mesh, 0.4));
+  const Fields frame = compute_fields(mesh, test::small_card(), {}, 2.0, position);
+  const Fields row = compute_row_fields(mesh, blank_plane(mesh), 2.0, position, {1, 7});
+  EXPECT_EQ(row.time, 2.0);
+  EXPECT_EQ(row.position, frame.position);
+  EXPECT_EQ(row.folded, frame.folded);
+  ASSERT_EQ(row.shear_angle.size(), frame.shear_angle.size());
+  for (std::size_t c = 0; c < row.shear_angle.size(); ++c)
+    if (c == 1 || c == 7)
+      EXPECT_EQ(row.shear_angle[c], frame.shear_angle[c]);
+    else
+      EXPECT_TRUE(std::isnan(row.shear_angle[c])) << c;
+}
+
 TEST(Fields, TrellisAngleIsExactAtAllAnglesOfBothSigns) {
   const Mesh mesh = test::lattice(5, 4, 5.0);
   for (int degrees = -89; degrees <= 89; ++degrees) {
