@@ -1,12 +1,14 @@
 #include "mesher/mesh/vtk_file.hpp"
 
 #include <vtkErrorCode.h>
+#include <vtkNew.h>
 #include <vtkXMLWriter.h>
 
 #include <cerrno>
 #include <cstdlib>
 
 #include "core/files/files.hpp"
+#include "mesher/mesh/quick_compressor.hpp"
 #include "mesher/mesh/vtk_messages.hpp"
 
 namespace weaveform {
@@ -23,8 +25,7 @@ void write_vtk_whole(const std::filesystem::path& file, vtkXMLWriter& writer) {
     const VtkMessages kept_off_the_terminal;
     // in place and as text, for meshio loses its way among raw bytes at the end; compressed it is smaller than these
     writer.SetDataModeToBinary();
-    writer.SetCompressorTypeToZLib();
-    writer.SetCompressionLevel(1);
+    writer.SetCompressor(vtkNew<QuickCompressor>());
     writer.SetHeaderTypeToUInt64();
     writer.WriteToOutputStringOn();
     if (writer.Write() != 1 || writer.GetErrorCode() != vtkErrorCode::NoError) throw_cannot_write(file, ENOMEM);
