@@ -154,6 +154,7 @@ void Analysis::resume() {
 }
 
 void Analysis::renew_step() {
+  pace_.not_plain();
   world_.renew_step();
   refuse_long_step();
   if (const std::string found = world_.endless_run(); !found.empty()) fail(found);
@@ -185,6 +186,7 @@ void Analysis::check_state() {
 
 void Analysis::open_outputs() {
   if (!outputs_.due(world_.time())) return;
+  pace_.not_plain();
   check_state();
   if (outputs_.look(world_)) write_statistics(statistics(), directory_ / file_name::statistics);
   if (!outputs_.row_open()) return;
@@ -235,6 +237,7 @@ void Analysis::look_at_checkpoint() {
 
 void Analysis::leave_checkpoint() {
   if (checkpoint_file_.empty()) return;
+  pace_.not_plain();
   const auto begin = CheckpointClock::Clock::now();
   check_state();
   if (const std::string member = unsound_member(all_state()); !member.empty())

@@ -168,13 +168,15 @@ struct FabricForces::KernelsOf : FabricForces::Kernels {
     histories.listed.swap();
   }
 
-  // The first and last band of each thread, whose nodes the elements of another thread's bands read.
+  // The bands whose nodes the elements of another thread's bands read.
   void move_outer_bands(const BandMove& move) {
     for (int t = 0; t < team.threads(); ++t)
       for (int b = share[t]; b < share[t + 1]; ++b)
         if (is_outer(b, share[t], share[t + 1])) move_free_nodes(move, b, bands.first_row[b], bands.first_row[b + 1]);
   }
-  static bool is_outer(int band, int first_band, int last_band) { return band == first_band || band + 1 == last_band; }
+  [[nodiscard]] bool is_outer(int band, int first_band, int last_band) const {
+    return (band == first_band && band > 0) || (band + 1 == last_band && last_band < bands.size());
+  }
 
   // Where a yarn turns out not to be near its length at rest once more, with the loop for any.
   template <class Yarns>

@@ -5,30 +5,26 @@
 namespace weaveform {
 namespace {
 
-constexpr int bands_at_a_time = 8, blocks_at_a_time = 256;  // that a thread moves before it looks for more
-
-int parts_of(int count, int part) {
-  return (count + part - 1) / part;
-}
+constexpr std::size_t blocks_worth_a_team = 256;  // that wait
 
 }  // namespace
 
 Motion::Motion(const PackedMesh& packed, const Bands& bands, const std::vector<char>& waits, double damping, Team& team)
     : packed_(packed),
       bands_(bands),
+      share_(balanced_bands(bands, team.threads())),
       blocks_(split_by_waiting(bands, waits)),
-      waiting_(blocks_.waiting.item),
       damping_(damping),
       team_(team),
       inverse_mass_(packed.nodes, 0.0),
       mass_(packed.nodes, 0.0),
-      sums_(bands.size()) {
+      sums_(bands.size()),
+      waiting_sums_(bands.size() + 1) {
   for (const int n : packed.packed_of_mesh) {
     mass_[n] = packed.mass[n];
     inverse_mass_[n] = packed.mass[n] > 0.0 ? 1.0 / packed.mass[n] : 0.0;  // tied nodes have none
   }
-  for (int n = packed.lattice_nodes(); n < packed.nodes; n += vector_width) waiting_.push_back(n);
-  waiting_sums_.resize(parts_of(static_cast<int>(waiting_.size()), blocks_at_a_time));
+  for (int n = packed.lattice_nodes(); n < packed.nodes; n += vector_width) ends_.push_back(n);
 }
 
 BandMove Motion::begin(State& state, std::vector<Grip>& grips, double step_before, double step) {
@@ -50,33 +46,23 @@ BandMove Motion::begin(State& state, std::vector<Grip>& grips, double step_befor
   return move;
 }
 
-void Motion::move_free(const BandMove& move) {
-  team_.run(parts_of(bands_.size(), bands_at_a_time), [&](int part) {
-    const int last = std::min(bands_.size(), (part + 1) * bands_at_a_time);
-    for (int b = part * bands_at_a_time; b < last; ++b)
-      move_free_nodes(move, b, bands_.first_row[b], bands_.first_row[b + 1]);
-  });
+void Motion::move_waiting(const BandMove& move, int band) {
+  const PerRow<int>& waiting = blocks_.waiting;
+  const int first = waiting.first[bands_.first_row[band]], last = waiting.first[bands_.first_row[band + 1]];
+  waiting_sums_[band] = {};
+  move.advance(move.nodes, move.step, waiting.item.data() + first, last - first, waiting_sums_[band].lane);
 }
 
-// One sum per part and lane, added in order: the same bits for any number of threads.
-double Motion::move_waiting(const BandMove& move) {
-  const int count = static_cast<int>(waiting_.size());
-  team_.run(static_cast<int>(waiting_sums_.size()), [&](int part) {
-    const int first = part * blocks_at_a_time;
-    waiting_sums_[part] = {};
-    move.advance(move.nodes, move.step, waiting_.data() + first, std::min(blocks_at_a_time, count - first),
-                 waiting_sums_[part].lane);
-  });
+// Sums in order: the same bits for any number of threads.
+const Motion::Outcome& Motion::settle(State& state, const BandMove& move, std::vector<Grip>& grips,
+                                      const std::vector<double>& from, const std::vector<double>& to) {
+  LaneSums& of_ends = waiting_sums_.back();
+  of_ends = {};
+  move.advance(move.nodes, move.step, ends_.data(), static_cast<int>(ends_.size()), of_ends.lane);
   double sum = 0.0;
   for (const auto* sums : {&sums_, &waiting_sums_})
     for (const LaneSums& one : *sums)
       for (const double lane : one.lane) sum += lane;
-  return sum;
-}
-
-const Motion::Outcome& Motion::finish(State& state, const BandMove& move, std::vector<Grip>& grips,
-                                      const std::vector<double>& from, const std::vector<double>& to) {
-  double sum = move_waiting(move);
   outcome_.grip_force.resize(grips.size());
   for (std::size_t g = 0; g < grips.size(); ++g)
     outcome_.grip_force[g] = apply_grip(grips[g], packed_, state, from[g], to[g], move.step.kick, move.step.drift, sum);
@@ -84,11 +70,26 @@ const Motion::Outcome& Motion::finish(State& state, const BandMove& move, std::v
   return outcome_;
 }
 
+const Motion::Outcome& Motion::finish(State& state, const BandMove& move, std::vector<Grip>& grips,
+                                      const std::vector<double>& from, const std::vector<double>& to) {
+  const bool together = blocks_.waiting.item.size() > blocks_worth_a_team;
+  team_.run(together ? team_.threads() : 1, [&](int t) {
+    const int first = together ? share_[t] : 0, last = together ? share_[t + 1] : bands_.size();
+    for (int b = first; b < last; ++b) move_waiting(move, b);
+  });
+  return settle(state, move, grips, from, to);
+}
+
 const Motion::Outcome& Motion::advance(State& state, std::vector<Grip>& grips, const std::vector<double>& from,
                                        const std::vector<double>& to, double step_before, double step) {
   const BandMove move = begin(state, grips, step_before, step);
-  move_free(move);
-  return finish(state, move, grips, from, to);
+  team_.run(team_.threads(), [&](int t) {
+    for (int b = share_[t]; b < share_[t + 1]; ++b) {
+      move_free_nodes(move, b, bands_.first_row[b], bands_.first_row[b + 1]);
+      move_waiting(move, b);
+    }
+  });
+  return settle(state, move, grips, from, to);
 }
 
 std::vector<char> waiting_nodes(const Mesh& mesh, const PackedMesh& packed, const std::vector<Grip>& grips) {

@@ -40,20 +40,21 @@ public:
                         const std::vector<double>& to);
 
 private:
-  void move_free(const BandMove& move);
-  double move_waiting(const BandMove& move);
+  void move_waiting(const BandMove& move, int band);
+  const Outcome& settle(State& state, const BandMove& move, std::vector<Grip>& grips, const std::vector<double>& from,
+                        const std::vector<double>& to);
 
   const PackedMesh& packed_;
   const Bands& bands_;
+  std::vector<int> share_;  // of each thread, the bands whose forces it computes: its cache has them
   NodesByWaiting blocks_;
-  std::vector<int> waiting_;  // all blocks that wait, yarn ends included
+  std::vector<int> ends_;  // blocks of the yarn ends, which are in no band
   double damping_;
   bool flat_ = false;
   Team& team_;
-  Doubles inverse_mass_;                // 1/tonne; 0 where no node is
-  Doubles mass_;                        // tonne; 0 where no node is
-  std::vector<LaneSums> sums_;          // of m v0^2, per band
-  std::vector<LaneSums> waiting_sums_;  // per part of the blocks that wait
+  Doubles inverse_mass_;                       // 1/tonne; 0 where no node is
+  Doubles mass_;                               // tonne; 0 where no node is
+  std::vector<LaneSums> sums_, waiting_sums_;  // of m v0^2, per band; of those that wait and last the yarn ends
   Outcome outcome_;
 };
 

@@ -22,13 +22,20 @@ Pace::Pace() : kept_share_(first_kept) {}
 void Pace::begin(Phase phase, double now) {
   phase_ = phase;
   start_ = now;
-  steps_ = 0;
+  steps_ = left_out_ = 0;
 }
 
-bool Pace::together(double now) {
+bool Pace::together(double now, bool plain) {
+  const double took = now - last_;
+  last_ = now;
   if (!started_) {
     started_ = true;
     begin(Phase::first_steps, now);
+    return together_;
+  }
+  if (!plain && left_out_ <= steps_) {
+    ++left_out_;
+    start_ += took;
     return together_;
   }
   ++steps_;
@@ -63,7 +70,8 @@ bool Pace::together(double now) {
 void PaceKeeper::next_step() {
   if (team_.threads() == 1) return;
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  team_.set_together(pace_.together(std::chrono::duration<double>(now).count()));
+  team_.set_together(pace_.together(std::chrono::duration<double>(now).count(), plain_));
+  plain_ = true;
 }
 
 }  // namespace weaveform

@@ -11,8 +11,9 @@ namespace weaveform {
 class Pace {
 public:
   Pace();
-  // Called before every step with the time on any clock, s. True while the team is to work together.
-  [[nodiscard]] bool together(double now);
+  // Called before every step with the time on any clock, s. True while the team is to work together. `plain`: the step
+  // just made was one as most are; what else it did would be held against the way at hand.
+  [[nodiscard]] bool together(double now, bool plain = true);
 
 private:
   enum class Phase { first_steps, way_at_hand, other_way, kept };
@@ -21,8 +22,10 @@ private:
   Phase phase_ = Phase::first_steps;
   bool together_ = true;
   bool started_ = false;
-  double start_ = 0.0;      // s; of the phase
-  int steps_ = 0;           // made in it
+  double start_ = 0.0;      // s; of the phase, later by what its steps that were not plain took
+  double last_ = 0.0;       // s; of the last call
+  int steps_ = 0;           // made in it,
+  int left_out_ = 0;        // and those that do not count: no more than others
   double step_time_ = 0.0;  // s; of the way at hand
   double trial_ = 0.0;      // s; that it took
   double kept_for_ = 0.0;   // s
@@ -35,10 +38,13 @@ public:
   explicit PaceKeeper(Team& team) : team_(team) {}
   // Before every step.
   void next_step();
+  // Of the step at work: it writes, or looks for the stable step, which one thread does.
+  void not_plain() { plain_ = false; }
 
 private:
   Team& team_;
   Pace pace_;
+  bool plain_ = true;
 };
 
 }  // namespace weaveform

@@ -13,17 +13,25 @@ struct PacedRun {
   Pace pace;
   double now = 100.0, time_together = 0.0;
   int steps = 0;
+  int row_every = 0;       // steps; 0: never
+  double row_takes = 0.0;  // s; of one thread
 
   double share_together(double alone, double together, double duration) {
     const double start = now;
     time_together = 0.0;
+    double in_rows = 0.0;
+    bool plain = true;
     while (now < start + duration) {
-      const bool team = pace.together(now);
+      const bool team = pace.together(now, plain);
       now += team ? together : alone;
       time_together += team ? together : 0.0;
       ++steps;
+      plain = row_every == 0 || steps % row_every != 0;
+      if (plain) continue;
+      now += row_takes;
+      in_rows += row_takes;
     }
-    return time_together / (now - start);
+    return time_together / (now - start - in_rows);
   }
 };
 
@@ -61,6 +69,24 @@ TEST(Pace, ASlowStartIsNotHeldAgainstTheTeam) {
     (void)run.share_together(1e-4, 3e-4, slow_for);
     EXPECT_GT(run.share_together(1e-4, 6e-5, 1.0), 0.8) << slow_for;
   }
+}
+
+// A row of history may take as long as thirty steps, and fall into the trial of either way.
+TEST(Pace, WhatOneThreadDoesIsHeldAgainstNeitherWay) {
+  for (const int every : {13, 31, 50, 70, 97, 150}) {
+    PacedRun faster, slower;
+    faster.row_every = slower.row_every = every;
+    faster.row_takes = slower.row_takes = 3e-3;
+    EXPECT_GT(faster.share_together(1e-4, 7e-5, 3.0), 0.9) << every;
+    EXPECT_LT(slower.share_together(1e-4, 1.3e-4, 3.0), 0.15) << every;
+  }
+}
+
+TEST(Pace, AStepThatIsNeverPlainCountsAllTheSame) {
+  PacedRun run;
+  run.row_every = 1;
+  run.row_takes = 1e-5;
+  EXPECT_LT(run.share_together(1e-4, 1.3e-4, 20.0), 0.05);
 }
 
 TEST(Pace, LeavesACoreToOthersForAGainThatIsNone) {
