@@ -43,7 +43,9 @@ std::string Verdict::judge(const EnergyBalance& balance, double time) {
 }
 
 void Verdict::count_folded(const Fields& fields) {
-  folded_ = std::max(folded_, static_cast<int>(std::count(fields.folded.begin(), fields.folded.end(), true)));
+  int folded = 0;  // std::count() takes ten times as long
+  for (const bool one : fields.folded) folded += one ? 1 : 0;
+  folded_ = std::max(folded_, folded);
 }
 
 void Verdict::archive(Archive& archive) {

@@ -23,6 +23,9 @@ struct Flexure {
   bool rotation_free = false, has_shell = false;
 };
 
+// rad; that the stable step is bounded up to: a yarn folded flat at one crossing.
+inline constexpr double greatest_turn = 3.2;
+
 // Beams take model.yarn_bending, or the card's two laws. Cells that bend take model.cell_bending, or the card's
 // rigidity less the initial stiffness of the beams, if any, or (with yarns that do not bend) the card's yarn law out of
 // plane. A card's two senses are turned over with the fabric, where `fabric.face` looks down. Friction is

@@ -14,9 +14,6 @@
 namespace weaveform {
 namespace {
 
-// The curvature that the stable step is bounded up to: a yarn folded flat at one crossing.
-constexpr double fold = 3.2;  // rad
-
 // Moment laws in the shape the inner loop wants: one for all of them, the least simple that any needs.
 struct FlexureShape {
   MomentShape shape = MomentShape::constant;
@@ -165,6 +162,7 @@ struct LatticeBending::Parts {
   FlexureShape shape;
   BendKernels kernels;
   std::vector<Bend> bends;
+  std::vector<std::array<double, 2>> stiffest;  // N mm; of each bend's yarns, at whatever curvature
   std::vector<TwistCell> twist_cells;
   std::unique_ptr<FrictionOfBends> friction;  // none: no yarn has any
   RowRuns bend_runs, twist_runs;
@@ -186,6 +184,7 @@ struct LatticeBending::Parts {
         block(balanced_blocks(p, its_team.threads())) {
     if (flexure.bends_yarns) bends = find_bends(mesh, held);
     if (flexure.rotation_free && flexure.twist > 0.0) twist_cells = find_twist_cells(mesh);
+    for (const Bend& bend : bends) stiffest.push_back({stiffest_of(bend, 0), stiffest_of(bend, 1)});
     place_bends();
     place_twist();
     refuse_friction_in_impulses(flexure, every);
@@ -210,6 +209,15 @@ struct LatticeBending::Parts {
         return false;
     }
     return true;
+  }
+
+  [[nodiscard]] double stiffest_of(const Bend& bend, int f) const {
+    const YarnBend& yarn = bend.yarn[f];
+    if (yarn.yarns == 0.0) return 0.0;
+    const double greatest = greatest_turn / yarn.spread;
+    return yarn.yarns / yarn.spread *
+           std::max(flexure.in_plane[f].stiffest(0.0, greatest) + stiffest_friction(flexure.friction_in_plane[f]),
+                    flexure.out_of_plane[f].stiffest(greatest) + stiffest_friction(flexure.friction_out_of_plane[f]));
   }
 
   void place_bends() {
@@ -413,16 +421,12 @@ void LatticeBending::add_stiffness_bound(const std::vector<Vec3>& position, doub
   };
   // the turn of the fabric's normal and the moment's own turn add less than once more; impulses count squared
   const double of_large_turns = 2.0 * p.every * p.every;
-  for (const auto& bend : p.bends)
+  for (std::size_t b = 0; b < p.bends.size(); ++b)
     for (int f = 0; f < 2; ++f) {
+      const Bend& bend = p.bends[b];
       const YarnBend& yarn = bend.yarn[f];
       if (yarn.yarns == 0.0) continue;
-      const double greatest = fold / yarn.spread;
-      const double stiffness =
-          of_large_turns * yarn.yarns / yarn.spread *
-          std::max(
-              p.flexure.in_plane[f].stiffest(0.0, greatest) + stiffest_friction(p.flexure.friction_in_plane[f]),
-              p.flexure.out_of_plane[f].stiffest(greatest) + stiffest_friction(p.flexure.friction_out_of_plane[f]));
+      const double stiffness = of_large_turns * p.stiffest[b][f];
       const double before = yarn.fixed_before ? 0.0 : 1.0 / distance(yarn.before, bend.node);
       const double after = yarn.fixed_after ? 0.0 : 1.0 / distance(bend.node, yarn.after);
       const double sum = 2.0 * (before + after);

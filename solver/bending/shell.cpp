@@ -162,6 +162,7 @@ struct Shell::Parts {
   std::array<ShellMoment, 2> moment;
   std::array<EdgeKernels, 2> kernels{};
   std::vector<ShellEdge> edges;
+  std::vector<double> stiffest;  // N mm; of each edge, yarns B/L at whatever curvature
   RowRuns warp_runs, weft_runs;  // padded, like twist_runs
   std::vector<TwistCell> cells;
   std::array<std::vector<double>, 2> yarns;  // per first node
@@ -200,6 +201,7 @@ struct Shell::Parts {
       moment[f] = shell_moment(flexure.shell[f]);
       kernels[f] = edge_kernels(moment[f].shape);
     }
+    for (const ShellEdge& edge : edges) stiffest.push_back(stiffest_of(edge));
     place_edges();
     for (int f = 0; f < 2; ++f) friction[f].resize(flexure.friction_shell[f], packed.lattice_nodes(), loose[f].size());
     friction_of_row.assign(packed.rows, 0.0);
@@ -212,6 +214,12 @@ struct Shell::Parts {
     inertia.assign(packed.nodes, 0.0);
     inverse_inertia.assign(packed.nodes, 0.0);
     sums.resize(packed.rows + 1);
+  }
+
+  [[nodiscard]] double stiffest_of(const ShellEdge& edge) const {
+    const double rigidity = flexure.shell[edge.family].stiffest(greatest_turn / edge.rest_length) +
+                            stiffest_friction(flexure.friction_shell[edge.family]);
+    return edge.yarns * rigidity / edge.rest_length;
   }
 
   void place_edges() {
@@ -248,11 +256,8 @@ struct Shell::Parts {
   // for what couples them to the positions, and of the twist.
   [[nodiscard]] std::vector<double> rotational_bound() const {
     std::vector<double> bound(mesh.node_count(), 0.0);
-    for (const auto& edge : edges) {
-      const double stiffest = flexure.shell[edge.family].stiffest(3.2 / edge.rest_length) +
-                              stiffest_friction(flexure.friction_shell[edge.family]);
-      for (const int n : edge.node) bound[n] += edge.shear_stiffness + 4.0 * edge.yarns * stiffest / edge.rest_length;
-    }
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      for (const int n : edges[e].node) bound[n] += edges[e].shear_stiffness + 4.0 * stiffest[e];
     const double slope = 1.0 / mesh.spacing[0] + 1.0 / mesh.spacing[1];
     for (const auto& cell : cells)
       for (const int n : cell.node) bound[n] += 2.0 * flexure.twist * cell.area * slope * slope;
@@ -523,13 +528,12 @@ double Shell::longest_step() const {
 void Shell::add_stiffness_bound(const std::vector<Vec3>& position, double /*fabric_frequency*/,
                                 std::vector<double>& bound) const {
   const auto& p = *parts_;
-  for (const auto& edge : p.edges) {
+  for (std::size_t e = 0; e < p.edges.size(); ++e) {
+    const ShellEdge& edge = p.edges[e];
     const auto &a = position[edge.node[0]], &b = position[edge.node[1]];
     const double square = std::pow(b[0] - a[0], 2) + std::pow(b[1] - a[1], 2) + std::pow(b[2] - a[2], 2);
-    const double stiffest = p.flexure.shell[edge.family].stiffest(3.2 / edge.rest_length) +
-                            stiffest_friction(p.flexure.friction_shell[edge.family]);
     // bending feels the edge's turn once its ends' directors differ, at most by 2
-    const double stiffness = (4.0 * edge.shear_stiffness + 16.0 * edge.yarns * stiffest / edge.rest_length) / square;
+    const double stiffness = (4.0 * edge.shear_stiffness + 16.0 * p.stiffest[e]) / square;
     for (const int n : edge.node) bound[n] += stiffness;
   }
 }

@@ -69,18 +69,28 @@ YarnState yarn_state(const MeshYarns& yarns, std::size_t yarn, double length, co
   return {strain, stress * section};
 }
 
-std::vector<Vector3d> oriented_areas(const Mesh& mesh, const std::vector<Vec3>& position) {
-  std::vector<Vector3d> area(mesh.cells.size());
-  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
-    const YarnDirections g = directions_at_centre(mesh.cells, cell, position);
-    area[cell] = mesh.cells.area[cell] * g.warp.cross(g.weft);
+// mm^2; A0 g1 x g2 of every cell. Every row of history asks for it.
+std::vector<Vec3> oriented_areas(const Mesh& mesh, const std::vector<Vec3>& position) {
+  const MeshCells& cells = mesh.cells;
+  std::vector<Vec3> area(cells.size());
+  for (int cell = 0; cell < cells.size(); ++cell) {
+    Vec3 warp = {0.0, 0.0, 0.0}, weft = {0.0, 0.0, 0.0};
+    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry) {
+      const Vec3& x = position[cells.node[entry]];
+      const auto [of_warp, of_weft] = cells.coefficient[entry];
+      for (std::size_t c = 0; c < 3; ++c) {
+        warp[c] += of_warp * x[c];
+        weft[c] += of_weft * x[c];
+      }
+    }
+    area[cell] = scaled(cross(warp, weft), cells.area[cell]);
   }
   return area;
 }
 
-Vector3d sum_of(const std::vector<Vector3d>& vectors) {
-  Vector3d sum = Vector3d::Zero();
-  for (const Vector3d& v : vectors) sum += v;
+Vec3 sum_of(const std::vector<Vec3>& vectors) {
+  Vec3 sum = {0.0, 0.0, 0.0};
+  for (const Vec3& v : vectors) sum = plus(sum, v);
   return sum;
 }
 
@@ -95,17 +105,15 @@ bool lies_in_plane(const std::vector<Vec3>& position, const Vector3d& origin, co
   return height <= 1e-9 * extent;
 }
 
-// Sum over a cell's nodes of the oriented areas of all other cells at that node.
-std::vector<Vector3d> patch_areas(const MeshCells& cells, const std::vector<Vector3d>& area, int node_count) {
-  std::vector<Vector3d> at_node(node_count, Vector3d::Zero());
+// mm^2; sum at every node of the oriented areas of its cells.
+std::vector<Vec3> areas_at_nodes(const MeshCells& cells, const std::vector<Vec3>& area, int node_count) {
+  std::vector<Vec3> at_node(node_count, {0.0, 0.0, 0.0});
   for (int cell = 0; cell < cells.size(); ++cell)
-    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry)
-      at_node[cells.node[entry]] += area[cell];
-  std::vector<Vector3d> patch(cells.size(), Vector3d::Zero());
-  for (int cell = 0; cell < cells.size(); ++cell)
-    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry)
-      patch[cell] += at_node[cells.node[entry]] - area[cell];
-  return patch;
+    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry) {
+      Vec3& sum = at_node[cells.node[entry]];
+      sum = plus(sum, area[cell]);
+    }
+  return at_node;
 }
 
 void fill_cells(const MeshCells& cells, Fields& fields) {
@@ -211,25 +219,31 @@ Fields fields_of_ply(const Fields& all, const Mesh& stack, std::size_t ply) {
 
 BlankPlane blank_plane(const Mesh& mesh) {
   if (mesh.nodes.position.empty()) return {};
-  const Vector3d normal = unit_or_zero(sum_of(oriented_areas(mesh, mesh.nodes.position)));
+  const Vector3d normal = unit_or_zero(vector_of(sum_of(oriented_areas(mesh, mesh.nodes.position))));
   const Vec3& origin = mesh.nodes.position.front();
   if (!lies_in_plane(mesh.nodes.position, vector_of(origin), normal)) return {};
   return {origin, array_of(normal)};
 }
 
 std::vector<bool> folded_cells(const Mesh& mesh, const BlankPlane& plane, const std::vector<Vec3>& position) {
-  const std::vector<Vector3d> area = oriented_areas(mesh, position);
+  const MeshCells& cells = mesh.cells;
+  const std::vector<Vec3> area = oriented_areas(mesh, position);
   std::vector<bool> folded(area.size(), false);
   if (area.empty()) return folded;
 
   // A blank that is and stays planar has one normal, its initial one, by which even a patch turned over whole is known.
   const Vector3d normal = vector_of(plane.normal);
   if (normal.norm() > 0.0 && lies_in_plane(position, vector_of(plane.origin), normal)) {
-    for (std::size_t cell = 0; cell < area.size(); ++cell) folded[cell] = area[cell].dot(normal) < 0.0;
+    for (std::size_t cell = 0; cell < area.size(); ++cell) folded[cell] = dot(area[cell], plane.normal) < 0.0;
     return folded;
   }
-  const std::vector<Vector3d> patch = patch_areas(mesh.cells, area, mesh.node_count());
-  for (std::size_t cell = 0; cell < area.size(); ++cell) folded[cell] = area[cell].dot(patch[cell]) < 0.0;
+  const std::vector<Vec3> at_node = areas_at_nodes(cells, area, mesh.node_count());
+  for (int cell = 0; cell < cells.size(); ++cell) {
+    Vec3 patch = {0.0, 0.0, 0.0};  // of all other cells at the cell's nodes
+    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry)
+      patch = plus(patch, minus(at_node[cells.node[entry]], area[cell]));
+    folded[cell] = dot(area[cell], patch) < 0.0;
+  }
   return folded;
 }
 
