@@ -10,15 +10,26 @@
 #include "core/error.hpp"
 #include "solver/constraint/ties.hpp"
 #include "solver/contact/node_area.hpp"
+#include "solver/state/row_blocks.hpp"
 
 namespace weaveform {
 namespace {
 
+constexpr int parts_of_thread = 4;
 constexpr double start_tolerance = 1e-9;  // mm; a start this deep counts as touching
 
 double stiffness_factor(const AnalysisSpec& analysis) {
   return analysis.contact_stiffness.value_or(analysis.step_bound == StepBound::reached ? contact_stiffness_reached
                                                                                        : 1.0);
+}
+
+// Every thread has the blocks of about those rows whose forces it computes: its cache holds them, and fetching them from
+// another's costs more than an even load would gain. Others take of them by whole parts.
+std::vector<int> parts_of_blocks(const PackedMesh& packed, int threads, int blocks) {
+  std::vector<int> first = balanced_blocks(packed, parts_of_thread * threads);
+  for (int& row : first) row = row * packed.stride / points_at_a_time;
+  first.back() = blocks;
+  return first;
 }
 
 }  // namespace
@@ -54,6 +65,7 @@ Contact::Contact(const Mesh& mesh, const PackedMesh& packed, const State& start,
     touch_.push_back(make_touch(tool, own != nullptr ? (*own)[t].offset : tool.offset));
   }
   loads_.resize(touch_.size());
+  part_ = parts_of_blocks(packed, team.threads(), block_count());
   refuse_penetration(start);
 }
 
@@ -122,7 +134,9 @@ void Contact::refuse_penetration(const State& start) const {
 void Contact::add_forces(State& state, double /*step*/) {
   const auto begin = std::chrono::steady_clock::now();
   const double step = tools_.step_made();
-  team_.run(block_count(), [&](int block) { treat_block(block, state, step); });
+  team_.run(static_cast<int>(part_.size()) - 1, [&](int part) {
+    for (int block = part_[part]; block < part_[part + 1]; ++block) treat_block(block, state, step);
+  });
   for (std::size_t t = 0; t < touch_.size(); ++t) {
     sum_blocks(touch_[t], step > 0.0, loads_[t]);
     check(t, state);

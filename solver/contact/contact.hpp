@@ -122,6 +122,7 @@ private:
   Doubles mass_;      // tonne; 0 where no node is
   Doubles area_;      // mm^2; of the fabric around each node
   std::vector<int> mesh_of_packed_;
+  std::vector<int> part_;  // first block of each part that a thread takes at a time, and their number
   std::optional<CurvedContact> curved_;
   std::vector<Touch> touch_;     // one for each tool
   std::vector<ToolLoad> loads_;  // likewise
