@@ -1,4 +1,4 @@
-// zlib's format by libdeflate: the same files for every reader, in less than half the time. VTK writes the name of the
+// zlib's format by libdeflate: the same to every reader, in half the time. VTK writes the name of the
 // class into a file as what it was compressed with, and a compressor of our own keeps that of zlib's.
 #pragma once
 

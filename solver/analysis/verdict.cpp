@@ -43,7 +43,7 @@ std::string Verdict::judge(const EnergyBalance& balance, double time) {
 }
 
 void Verdict::count_folded(const Fields& fields) {
-  int folded = 0;  // std::count() takes ten times as long
+  int folded = 0;  // std::count() takes six times as long at -Og, which this file is compiled with
   for (const bool one : fields.folded) folded += one ? 1 : 0;
   folded_ = std::max(folded_, folded);
 }

@@ -1,7 +1,5 @@
 #include "solver/ply/motion.hpp"
 
-#include <algorithm>
-
 namespace weaveform {
 namespace {
 

@@ -20,24 +20,31 @@ namespace {
 using Eigen::Vector3d;
 
 struct YarnDirections {
-  Vector3d warp = Vector3d::Zero(), weft = Vector3d::Zero();  // 1; not normalised: |g| is the stretch at the centre
+  Vec3 warp = {0.0, 0.0, 0.0}, weft = {0.0, 0.0, 0.0};  // 1; not normalised: |g| is the stretch at the centre
 };
 
 // g_f = sum_a coefficient[f][a] x_a (mesh.hpp).
 YarnDirections directions_at_centre(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
   YarnDirections g;
   for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry) {
-    const Vector3d x = vector_of(position[cells.node[entry]]);
-    g.warp += cells.coefficient[entry][0] * x;
-    g.weft += cells.coefficient[entry][1] * x;
+    const Vec3& x = position[cells.node[entry]];
+    const auto [of_warp, of_weft] = cells.coefficient[entry];
+    for (std::size_t c = 0; c < 3; ++c) {
+      g.warp[c] += of_warp * x[c];
+      g.weft[c] += of_weft * x[c];
+    }
   }
   return g;
 }
 
+struct UnitDirections {
+  Vector3d warp, weft;
+};
+
 // A collapsed cell has no direction, and a frame must hold no NaN.
-YarnDirections unit_directions(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
+UnitDirections unit_directions(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
   const YarnDirections g = directions_at_centre(cells, cell, position);
-  return {unit_or_zero(g.warp), unit_or_zero(g.weft)};
+  return {unit_or_zero(vector_of(g.warp)), unit_or_zero(vector_of(g.weft))};
 }
 
 // sin gamma = g1.g2 (unit vectors), taken as atan2(g1.g2, |g1 x g2|): the arc sine alone loses half the digits near 90
@@ -71,19 +78,10 @@ YarnState yarn_state(const MeshYarns& yarns, std::size_t yarn, double length, co
 
 // mm^2; A0 g1 x g2 of every cell. Every row of history asks for it.
 std::vector<Vec3> oriented_areas(const Mesh& mesh, const std::vector<Vec3>& position) {
-  const MeshCells& cells = mesh.cells;
-  std::vector<Vec3> area(cells.size());
-  for (int cell = 0; cell < cells.size(); ++cell) {
-    Vec3 warp = {0.0, 0.0, 0.0}, weft = {0.0, 0.0, 0.0};
-    for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry) {
-      const Vec3& x = position[cells.node[entry]];
-      const auto [of_warp, of_weft] = cells.coefficient[entry];
-      for (std::size_t c = 0; c < 3; ++c) {
-        warp[c] += of_warp * x[c];
-        weft[c] += of_weft * x[c];
-      }
-    }
-    area[cell] = scaled(cross(warp, weft), cells.area[cell]);
+  std::vector<Vec3> area(mesh.cells.size());
+  for (int cell = 0; cell < mesh.cells.size(); ++cell) {
+    const YarnDirections g = directions_at_centre(mesh.cells, cell, position);
+    area[cell] = scaled(cross(g.warp, g.weft), mesh.cells.area[cell]);
   }
   return area;
 }
@@ -121,7 +119,7 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
   fields.warp.resize(cells.size());
   fields.weft.resize(cells.size());
   for (int cell = 0; cell < cells.size(); ++cell) {
-    const YarnDirections g = unit_directions(cells, cell, fields.position);
+    const UnitDirections g = unit_directions(cells, cell, fields.position);
     fields.shear_angle[cell] = shear_angle(g.warp, g.weft);
     fields.warp[cell] = array_of(g.warp);
     fields.weft[cell] = array_of(g.weft);
@@ -133,7 +131,7 @@ void fill_cells(const MeshCells& cells, Fields& fields) {
 std::array<double, 2> cell_stretch(const Mesh& mesh, int cell, const std::vector<Vec3>& position) {
   if (!is_full_quad(mesh, cell)) {
     const YarnDirections g = directions_at_centre(mesh.cells, cell, position);
-    return {g.warp.norm(), g.weft.norm()};
+    return {vector_of(g.warp).norm(), vector_of(g.weft).norm()};
   }
   const int* n = mesh.cells.node.data() + mesh.cells.offset[cell];  // x00, x10, x11, x01
   return {
@@ -254,7 +252,7 @@ Fields compute_row_fields(const Mesh& mesh, const BlankPlane& plane, double time
   fields.position = position;
   fields.shear_angle.assign(mesh.cells.size(), std::numeric_limits<double>::quiet_NaN());
   for (const int cell : looked_at) {
-    const YarnDirections g = unit_directions(mesh.cells, cell, position);
+    const UnitDirections g = unit_directions(mesh.cells, cell, position);
     fields.shear_angle[cell] = shear_angle(g.warp, g.weft);
   }
   fields.folded = folded_cells(mesh, plane, position);

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 #include <vtkNew.h>
 
-#include <algorithm>
 #include <cstring>
 #include <random>
-#include <string>
 #include <vector>
 
 namespace weaveform {
