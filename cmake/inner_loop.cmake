@@ -64,13 +64,11 @@ function(weaveform_inner_loop target)
     target_compile_options(${loops} PRIVATE ${inner_loop_flags} ${inner_loop_${set}})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${loops}>)
     if(NOT set STREQUAL only AND NOT WEAVEFORM_INSTRUMENTED)
-      set(proof ${CMAKE_CURRENT_BINARY_DIR}/${loops}.own_code)
-      add_custom_command(OUTPUT ${proof}
-        COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${loops}>" -DPROOF=${proof}
+      # at linking: an output of its own would be waited for by all that is compiled for those who link it
+      add_custom_command(TARGET ${target} PRE_LINK
+        COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${loops}>"
           -P ${PROJECT_SOURCE_DIR}/cmake/own_code.cmake
-        DEPENDS ${loops} $<TARGET_OBJECTS:${loops}>
         COMMENT "" VERBATIM)
-      target_sources(${target} PRIVATE ${proof})
     endif()
   endforeach()
 endfunction()

@@ -35,7 +35,7 @@ void refuse_study(const fs::path& directory) {
                   directory.string(), study::report_name::page, directory.string()));
 }
 
-void report(const ReportArguments& arguments) {
+void write_page(const ReportArguments& arguments) {
   refuse_study(arguments.directory);
   ResultFolder result(arguments.directory);
   if (arguments.output.empty()) {
@@ -68,7 +68,7 @@ void add_report_command(CLI::App& post) {
   command->add_option("-o,--output", arguments->output, "The page (default: DIR/report.html)")->type_name("FILE");
   add_force_argument(*command, arguments->force);
   add_quiet_argument(*command, arguments->quiet);
-  command->callback([arguments] { report(*arguments); });
+  command->callback([arguments] { write_page(*arguments); });
 }
 
 }  // namespace weaveform
