@@ -13,6 +13,9 @@ add_custom_command(OUTPUT ${manual}/weaveform.1.gz ${manual}/weaveform.bash
 add_custom_target(weaveform_manual ALL DEPENDS ${manual}/weaveform.1.gz ${manual}/weaveform.bash)
 install(TARGETS weaveform RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS weaveform-picture RUNTIME DESTINATION libexec/weaveform COMPONENT program)
+foreach(component IN ITEMS program development)
+  install(TARGETS weaveform_opencascade LIBRARY DESTINATION libexec/weaveform COMPONENT ${component})
+endforeach()
 install(FILES ${manual}/weaveform.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${manual}/weaveform.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME weaveform COMPONENT program)

@@ -12,6 +12,7 @@
 #include "app/commands/commands.hpp"
 #include "app/picture/picture_options.hpp"
 #include "core/error.hpp"
+#include "core/files/beside_program.hpp"
 
 namespace weaveform {
 namespace {
@@ -20,13 +21,11 @@ namespace fs = std::filesystem;
 
 // Beside this program where it was built, in libexec where it was installed.
 fs::path drawing_program() {
-  std::error_code unknown;
-  const fs::path here = fs::read_symlink("/proc/self/exe", unknown).parent_path();
-  for (const fs::path& place : {here / "weaveform-picture", here / "../libexec/weaveform/weaveform-picture"})
-    if (fs::exists(place)) return place.lexically_normal();
+  const std::string name = "weaveform-picture";
+  if (fs::path place = beside_program(name); !place.empty()) return place;
   throw FileError(
       fmt::format("{}: the program that draws is not there; install weaveform again, or in its sources run ./dev build",
-                  (here / "weaveform-picture").string()));
+                  first_place(name).string()));
 }
 
 std::vector<std::string> words_for(const PictureArguments& arguments) {

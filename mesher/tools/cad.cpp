@@ -14,10 +14,9 @@
 #include "core/files/files.hpp"
 #include "core/guard/guarded.hpp"
 #include "core/vector/vector.hpp"
-#include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/gmsh_session.hpp"
+#include "mesher/tools/opencascade.hpp"
 #include "mesher/tools/script_triangles.hpp"
-#include "mesher/tools/shape_triangles.hpp"
 
 namespace weaveform {
 namespace {
@@ -71,15 +70,6 @@ private:
   fs::path path_;
 };
 
-// In the child.
-CadSurface shape_surface(CadFormat format, const fs::path& path, const fs::path& file, double chord_tolerance) {
-  CadShape read = read_shape(format, path);
-  guarded_reading_is_done();
-  CadSurface surface = triangles_of_shape(read.shape, chord_tolerance, file.string());
-  surface.words.insert(surface.words.begin(), read.words.begin(), read.words.end());
-  return surface;
-}
-
 // In the child: a script's geometry as a BREP file in `folder`.
 fs::path shape_of_script(const std::string& path, const fs::path& file, const fs::path& folder) {
   const fs::path shape = folder / "script.brep";
@@ -108,7 +98,7 @@ CadSurface script_surface(const std::string& path, const fs::path& file, const f
     return std::string("shape");
   };
   if (open_gmsh(CadFormat::script, path, file, in_gmsh) == "triangles") return surface;
-  return shape_surface(CadFormat::brep, shape, file, chord_tolerance);
+  return opencascade().surface(CadFormat::brep, shape, chord_tolerance, file.string());
 }
 
 }  // namespace
@@ -128,7 +118,7 @@ CadSurface read_cad(const fs::path& file, double chord_tolerance) {
       file,
       [&](CadFormat format, const std::string& path) {
         return encoded(is_script ? script_surface(path, file, folder.path(), chord_tolerance)
-                                 : shape_surface(format, path, file, chord_tolerance));
+                                 : opencascade().surface(format, path, chord_tolerance, file.string()));
       },
       is_script ? folder.path() : fs::path());
   return decoded(bytes, file);
@@ -142,10 +132,8 @@ void convert_cad(const fs::path& from, const fs::path& to) {
       [&](CadFormat format, const std::string& path) {
         const fs::path source =
             format == CadFormat::script ? shape_of_script(path, from, folder.path()) : fs::path(path);
-        const CadShape read = read_shape(format == CadFormat::script ? CadFormat::brep : format, source);
-        guarded_reading_is_done();
-        const TopoDS_Shape whole = sewn_where_open(read.shape, widest_gap * extent_of(read.shape));
-        return std::string(write_shape(whole, cad_format(to), written) ? "written" : "not");
+        const CadFormat read_as = format == CadFormat::script ? CadFormat::brep : format;
+        return std::string(opencascade().rewrite(read_as, source, cad_format(to), written) ? "written" : "not");
       },
       folder.path());
   if (done != "written") throw FileError(to.string() + ": cannot be written so; end its name in .step or .brep");

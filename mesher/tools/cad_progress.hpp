@@ -1,12 +1,18 @@
-// How far OpenCASCADE has come, told to the process that waits (core/guard/guarded.hpp).
+// How far OpenCASCADE has come, told to the process that waits. In its module only (opencascade.hpp).
 #pragma once
 
 #include <Message_ProgressIndicator.hxx>
 #include <Message_ProgressRange.hxx>
 
-#include "core/guard/guarded.hpp"
+#include "mesher/tools/opencascade.hpp"
 
 namespace weaveform {
+
+// As the program that loaded the module gave them.
+inline GuardSigns& guard_signs() {
+  static GuardSigns signs;
+  return signs;
+}
 
 // Shares of the whole work: to read a file into a shape, the rest to make triangles.
 inline constexpr double reading_share = 0.5;
@@ -23,7 +29,7 @@ private:
 
   private:
     void Show(const Message_ProgressScope& /*any*/, const Standard_Boolean /*forced*/) override {
-      guarded_progress(from_ + (to_ - from_) * GetPosition());
+      guard_signs().progress(from_ + (to_ - from_) * GetPosition());
     }
     double from_, to_;
   };

@@ -19,10 +19,9 @@
 #include "core/files/files.hpp"
 #include "core/files/text_words.hpp"
 #include "core/guard/guarded.hpp"
-#include "mesher/tools/cad_shape.hpp"
 #include "mesher/tools/geo_script.hpp"
 #include "mesher/tools/late_gmsh.hpp"
-#include "mesher/tools/shape_triangles.hpp"
+#include "mesher/tools/opencascade.hpp"
 
 namespace weaveform {
 
@@ -88,10 +87,10 @@ void open_in_gmsh(CadFormat format, const std::string& path) {
   if (format == CadFormat::script) {
     gmsh::merge(path);
   } else {
-    const CadShape read = read_shape(format, path);
-    const TopoDS_Shape whole = sewn_where_open(read.shape, widest_gap * extent_of(read.shape));
-    gmsh::vectorpair made;
-    gmsh::model::occ::importShapesNativePointer(&whole, made, false);
+    opencascade().pass_on(format, path, [](const void* shape) {
+      gmsh::vectorpair made;
+      gmsh::model::occ::importShapesNativePointer(shape, made, false);
+    });
   }
   gmsh::model::occ::synchronize();
   gmsh::option::setNumber("General.NumThreads", 1);  // a script may have set it
@@ -153,9 +152,11 @@ CadFormat cad_format(const fs::path& file) {
 
 std::string with_cad_file(const fs::path& file, const CadWork& work, const fs::path& writable_folder) {
   require_regular_file(file);
-  load_gmsh();  // not in the child, which would load it anew for every file
+  // not in the child, which would load them anew for every file
+  (void)opencascade();
   const CadFormat format = cad_format(file);
   const bool is_script = format == CadFormat::script;
+  if (is_script) load_gmsh();
   Guard guard{.file = file.string(),
               .what = is_script ? "the reader of Gmsh scripts" : fmt::format("the reader of {} files", name_of(format)),
               .remedy = "the file may be damaged: write it again, simpler, in another CAD format, or as STL",
@@ -198,6 +199,8 @@ std::string open_gmsh(CadFormat format, const std::string& path, const fs::path&
 }
 
 std::string with_gmsh(const fs::path& file, const std::function<std::string()>& work, const fs::path& writable_folder) {
+  require_regular_file(file);
+  load_gmsh();
   return with_cad_file(
       file, [&](CadFormat format, const std::string& path) { return open_gmsh(format, path, file, work); },
       writable_folder);

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "mesher/tools/cad.hpp"
 #include "tests/support/run_command.hpp"
 
 namespace {
@@ -25,10 +26,30 @@ std::string block_of(const std::string& text, const std::string& language) {
   return text.substr(start, text.find("```", start) - start);
 }
 
-TEST(Consumer, BuildsAndRunsTheProgramOfTheDocuments) {
+// Reads CAD, for which a module must be found that lies with the libraries (mesher/tools/opencascade.hpp).
+constexpr const char* reader = R"(
+#include <iostream>
+
+#include "mesher/tools/cad.hpp"
+
+int main(int, char** words) {
+  try {
+    std::cout << weaveform::read_cad(words[1], 0.1).list.triangle.size() << '\n';
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+})";
+
+TEST(Consumer, BuildsAndRunsTheProgramOfTheDocumentsAndReadsCad) {
   const TemporaryFolder folder;
   const std::string document = read_text(WEAVEFORM_SOURCE_DIR "/docs/library.md");
-  write_text(block_of(document, "cmake"), folder.path() / "CMakeLists.txt");
+  write_text(block_of(document, "cmake") +
+                 "add_executable(read read.cpp)\n"
+                 "target_compile_features(read PRIVATE cxx_std_20)\n"
+                 "target_link_libraries(read PRIVATE Weaveform::mesher)\n",
+             folder.path() / "CMakeLists.txt");
+  write_text(reader, folder.path() / "read.cpp");
   write_text(block_of(document, "cpp"), folder.path() / "pull.cpp");
   const auto must = [&](const std::string& command) {
     const CommandResult result = run_command(command, folder.path());
@@ -38,6 +59,9 @@ TEST(Consumer, BuildsAndRunsTheProgramOfTheDocuments) {
   must("cmake --install '" WEAVEFORM_BUILD_DIR "' --prefix \"$PWD/prefix\" --component development");
   must("cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER='" WEAVEFORM_COMPILER
        "' -DCMAKE_PREFIX_PATH=\"$PWD/prefix\" && cmake --build build");
+  const std::string block = WEAVEFORM_SOURCE_DIR "/tests/data/cad/block_mm.igs";
+  EXPECT_EQ(must("build/read '" + block + "'"),
+            std::to_string(weaveform::read_cad(block, 0.1).list.triangle.size()) + "\n");
   const std::string said = must("build/pull '" WEAVEFORM_SOURCE_DIR "/examples/bias_extension_pw.toml'");
   // the load as the program itself has it, of the same bits
   must("weaveform run '" WEAVEFORM_SOURCE_DIR

@@ -14,6 +14,7 @@ set(CHAIN_SOURCES
   chain/export_test.cpp
   chain/forming_test.cpp
   chain/json_test.cpp
+  chain/late_libraries_test.cpp
   chain/render_test.cpp
   chain/report_test.cpp
   chain/resolve_once_test.cpp
