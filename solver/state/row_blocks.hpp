@@ -18,6 +18,9 @@ public:
   [[nodiscard]] double* data() { return storage_.data() + guard; }
   void clear(Run range) { std::fill(data() + range.begin - 1, data() + range.end, 0.0); }
 
+  // The only run that may hold anything, where there is only one; to be kept by who clears.
+  Run filled = {0, 0};
+
 private:
   static constexpr int guard = 8;  // a cache line, so that data() stays aligned
   Doubles storage_;
@@ -29,8 +32,9 @@ using RowVectors = std::array<RowBuffer, 3>;
   return {RowBuffer(stride), RowBuffer(stride), RowBuffer(stride)};
 }
 
-// Clears what no run of the row writes, from index -1 to `stride`; the runs themselves are about to be overwritten.
-// Rows outside the lattice have no runs.
+// Clears what no run of the row writes, from index -1 to `stride`; the runs themselves are about to be overwritten, and
+// nothing else is written, so that rows with the same single run have little to clear. Rows outside the lattice have no
+// runs.
 void clear_gaps(RowVectors& buffers, const RowRuns& runs, int row, int stride);
 
 [[nodiscard]] Run united(Run a, Run b);

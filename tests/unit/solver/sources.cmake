@@ -27,5 +27,6 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/result/history_test.cpp
   unit/solver/state/contact_state_test.cpp
   unit/solver/state/pace_test.cpp
+  unit/solver/state/row_blocks_test.cpp
   unit/solver/state/team_test.cpp
 )
