@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "solver/constraint/ties.hpp"
@@ -219,8 +221,8 @@ void Contact::measure(Touch& touch, const MovingTool& tool, const ContactNodes& 
   for (int g = 0; g < groups.count; ++g) {
     const int from = groups.node[g], lanes = std::min(group_nodes, nodes.count - from);
     for (int c = 0; c < 3; ++c) {
-      if (lanes == group_nodes)  // so that it is a vector's move
-        std::copy_n(nodes.x[c] + from, group_nodes, x[c] + count);
+      if (lanes == group_nodes)  // a few moves: of a known number of bytes, which cannot overlap
+        std::memcpy(x[c] + count, nodes.x[c] + from, group_nodes * sizeof(double));
       else
         std::copy_n(nodes.x[c] + from, lanes, x[c] + count);
     }
@@ -232,13 +234,12 @@ void Contact::measure(Touch& touch, const MovingTool& tool, const ContactNodes& 
 // Those that touch or did so at the step before; `lift` (mm) may yet bring the tool nearer.
 void Contact::keep_touching(const Touch& touch, int first, double (&gap)[groups_in_block], double lift,
                             ContactGroups& groups) {
-  ContactGroups touching;
-  for (int g = 0; g < groups.count; ++g) {
+  const int count = std::exchange(groups.count, 0);
+  for (int g = 0; g < count; ++g) {
     if (gap[g] > lift && touch.held[(first + groups.node[g]) / group_nodes] == 0) continue;
-    gap[touching.count] = gap[g];
-    touching.add(groups.node[g], groups.at[g], groups.upright[g]);
+    gap[groups.count] = gap[g];
+    groups.add(groups.node[g], groups.at[g], groups.upright[g]);
   }
-  groups = touching;
 }
 
 void Contact::lift(const Touch& touch, const State& state, int first, int count, const ContactGroups& groups,
