@@ -216,6 +216,9 @@ ContactGroups Contact::near_groups(Touch& touch, const MovingTool& tool, int fir
 void Contact::measure(Touch& touch, const MovingTool& tool, const ContactNodes& nodes, int first,
                       const ContactGroups& groups, Distances& distances) const {
   if (!touch.hint.empty()) return triangle_distances(touch, tool, nodes, first, groups, distances);
+  const bool all = groups.count * group_nodes >= nodes.count;
+  if (all)
+    return tool_distances(tool.tool, tool.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, nullptr, distances);
   double x[3][points_at_a_time];
   int count = 0;
   for (int g = 0; g < groups.count; ++g) {
@@ -283,11 +286,12 @@ void Contact::treat_tool(std::size_t number, int block, State& state, double ste
     keep_touching(touch, first, gap, 0.0, near);
     if (near.count == 0) return;
   }
-  touch.depth[block] = 0.0;
+  double depth = 0.0;
   for (int g = 0; g < near.count; ++g) {
     touch.held[(first + near.node[g]) / group_nodes] = gap[g] < 0.0 ? 1 : 0;
-    touch.depth[block] = std::max(touch.depth[block], -gap[g]);
+    depth = std::max(depth, -gap[g]);
   }
+  touch.depth[block] = depth;
   const ContactTool tool = moving.contact_tool();
   touch.sums[block] = curved_ ? chord_forces(touch.law, tool, distances, terms, step, nodes, near,
                                              {touch.curved.lift.data() + first, touch.curved.normal.data() + first})

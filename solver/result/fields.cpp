@@ -25,16 +25,16 @@ struct YarnDirections {
 
 // g_f = sum_a coefficient[f][a] x_a (mesh.hpp).
 YarnDirections directions_at_centre(const MeshCells& cells, int cell, const std::vector<Vec3>& position) {
-  YarnDirections g;
+  Vec3 warp = {0.0, 0.0, 0.0}, weft = {0.0, 0.0, 0.0};  // in registers, as what is returned cannot be
   for (int entry = cells.offset[cell]; entry < cells.offset[cell + 1]; ++entry) {
     const Vec3& x = position[cells.node[entry]];
     const auto [of_warp, of_weft] = cells.coefficient[entry];
     for (std::size_t c = 0; c < 3; ++c) {
-      g.warp[c] += of_warp * x[c];
-      g.weft[c] += of_weft * x[c];
+      warp[c] += of_warp * x[c];
+      weft[c] += of_weft * x[c];
     }
   }
-  return g;
+  return {warp, weft};
 }
 
 struct UnitDirections {
