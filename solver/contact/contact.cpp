@@ -218,7 +218,8 @@ void Contact::measure(Touch& touch, const MovingTool& tool, const ContactNodes& 
   if (!touch.hint.empty()) return triangle_distances(touch, tool, nodes, first, groups, distances);
   const bool all = groups.count * group_nodes >= nodes.count;
   if (all)
-    return tool_distances(tool.tool, tool.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, nullptr, distances);
+    return tool_distances(tool.tool, tool.place(), {nodes.x[0], nodes.x[1], nodes.x[2]}, nodes.count, nullptr,
+                          distances);
   double x[3][points_at_a_time];
   int count = 0;
   for (int g = 0; g < groups.count; ++g) {

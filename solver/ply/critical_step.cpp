@@ -57,6 +57,8 @@ CriticalStep::CriticalStep(const Mesh& mesh, const Card& card, const std::array<
       yarn_shape_(mesh.yarn_count()),
       held_(std::move(held)),
       tied_(mesh.node_count(), 0) {
+  for (unsigned planes = 0; planes < 1U << mesh.symmetry.plane.size(); ++planes)
+    mirror_.push_back(mirror_matrix(mesh.symmetry, planes));
   for (const auto& tie : mesh.tie) tied_[tie.node] = 1;
   for (const auto& image : mesh.symmetry.image) tied_[image.node] = 1;
   for (int e = 0; e < mesh.yarn_count(); ++e)
@@ -75,7 +77,7 @@ std::array<double, 2> CriticalStep::stiffest(const FamilyStrains& allowed) const
 // An image's rows are those of its node, mirrored.
 void CriticalStep::move_images(std::vector<Matrix3d>& bound, std::vector<double>& cell_rows) const {
   for (const auto& image : mesh_.symmetry.image) {
-    const Matrix3d mirror = mirror_matrix(mesh_.symmetry, image.planes);
+    const Matrix3d& mirror = mirror_[image.planes];
     bound[image.of] += mirror * bound[image.node] * mirror;
     cell_rows[image.of] += cell_rows[image.node];
     bound[image.node].setZero();
@@ -87,7 +89,7 @@ void CriticalStep::move_images(std::vector<Matrix3d>& bound, std::vector<double>
 // the bound is that of the whole mesh, to rounding.
 void CriticalStep::add_other_sides(std::vector<Matrix3d>& bound) const {
   for (std::size_t k = 0; k < mesh_.symmetry.plane.size(); ++k) {
-    const Matrix3d mirror = mirror_matrix(mesh_.symmetry, 1U << k);
+    const Matrix3d& mirror = mirror_[1U << k];
     for (const int n : mesh_.symmetry.on_plane[k]) bound[n] = 0.5 * (bound[n] + mirror * bound[n] * mirror);
   }
 }

@@ -59,7 +59,8 @@ private:
   bool constant_section_;
   std::vector<double> yarn_shape_;  // mm; section over length, so that times a modulus it is dN/dL
   std::vector<char> held_;
-  std::vector<char> tied_;  // nodes that follow others
+  std::vector<char> tied_;               // nodes that follow others
+  std::vector<Eigen::Matrix3d> mirror_;  // by the set of planes
 };
 
 }  // namespace weaveform
