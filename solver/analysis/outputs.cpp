@@ -118,8 +118,10 @@ Fields Outputs::fields_of_ply(const World& world, std::size_t number, bool frame
 bool Outputs::look(const World& world) {
   const double time = world.time();
   const bool row_due = row_schedule_.due(time), frame_due = frame_schedule_.due(time);
-  fields_ = fields_of_ply(world, 0, frame_due);
-  for (std::size_t k = 1; k < world.size(); ++k) append(fields_, fields_of_ply(world, k, frame_due));
+  std::vector<Fields> of_ply(world.size());
+  world.team().run(static_cast<int>(world.size()), [&](int k) { of_ply[k] = fields_of_ply(world, k, frame_due); });
+  fields_ = std::move(of_ply.front());
+  for (std::size_t k = 1; k < world.size(); ++k) append(fields_, of_ply[k]);
   if (row_due) {
     row_schedule_.advance(time);
     row_open_ = true;

@@ -118,8 +118,10 @@ void World::start() {
 void World::renew_step() {
   if (ply_contact_) ply_contact_->renew_bound();
   stable_ = {.step = std::numeric_limits<double>::infinity(), .set_by = ""};
-  for (auto& ply : plies_)
-    if (StableStep own = ply->renew_stable_step(); own.step < stable_.step) stable_ = std::move(own);
+  std::vector<StableStep> own(plies_.size());
+  team_.run(static_cast<int>(plies_.size()), [&](int k) { own[k] = plies_[k]->renew_stable_step(); });
+  for (StableStep& of_ply : own)
+    if (of_ply.step < stable_.step) stable_ = std::move(of_ply);
   if (tools_ && tools_->longest_step() < stable_.step) stable_ = {tools_->longest_step(), "contact"};
   // with every node held nothing sets a step; a row of history is then as good as any
   if (!std::isfinite(stable_.step)) stable_.step = duration_ / scene_.output.history;
@@ -228,9 +230,10 @@ void World::close_balance() {
 }
 
 void World::look_at_stored_energy() {
+  std::vector<StoredEnergy> own(plies_.size());
+  team_.run(static_cast<int>(plies_.size()), [&](int k) { own[k] = plies_[k]->stored_energy(); });
   StoredEnergy sum;
-  for (auto& ply : plies_) {
-    const StoredEnergy energy = ply->stored_energy();
+  for (const StoredEnergy& energy : own) {
     sum.total += energy.total;
     sum.bending += energy.bending;
     sum.hourglass += energy.hourglass;

@@ -49,6 +49,8 @@ public:
   explicit World(const WorldSetup& setup);
 
   [[nodiscard]] std::size_t size() const { return plies_.size(); }
+  // That the plies are looked at with: one each, where nobody else has work for it.
+  [[nodiscard]] Team& team() const { return team_; }
   [[nodiscard]] Ply& ply(std::size_t number) { return *plies_[number]; }
   [[nodiscard]] const Ply& ply(std::size_t number) const { return *plies_[number]; }
   // Null without tools.
