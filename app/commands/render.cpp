@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside this program where it was built, in libexec where it was installed.
 fs::path drawing_program() {
   const std::string name = "weaveform-picture";
   if (fs::path place = beside_program(name); !place.empty()) return place;

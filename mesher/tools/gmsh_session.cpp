@@ -199,7 +199,6 @@ std::string open_gmsh(CadFormat format, const std::string& path, const fs::path&
 }
 
 std::string with_gmsh(const fs::path& file, const std::function<std::string()>& work, const fs::path& writable_folder) {
-  require_regular_file(file);
   load_gmsh();
   return with_cad_file(
       file, [&](CadFormat format, const std::string& path) { return open_gmsh(format, path, file, work); },

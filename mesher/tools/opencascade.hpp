@@ -35,8 +35,9 @@ struct GuardSigns {
   void (*progress)(double fraction) = [](double /*any*/) {};
 };
 
-// The module's only symbol: `signs` are kept.
-inline constexpr const char* opencascade_entry = "weaveform_opencascade";
+// The module's only symbol: `signs` are kept. Its number changes with anything in this header, so that a program does not
+// take the module of another version.
+inline constexpr const char* opencascade_entry = "weaveform_opencascade_1";
 using OpenCascadeEntry = const OpenCascade* (*)(const GuardSigns& signs);
 
 }  // namespace weaveform

@@ -37,7 +37,7 @@ void pass_on(CadFormat format, const fs::path& path, const std::function<void(co
 }  // namespace
 }  // namespace weaveform
 
-extern "C" [[gnu::visibility("default")]] const weaveform::OpenCascade* weaveform_opencascade(
+extern "C" [[gnu::visibility("default")]] const weaveform::OpenCascade* weaveform_opencascade_1(
     const weaveform::GuardSigns& signs) {
   weaveform::guard_signs() = signs;
   static constexpr weaveform::OpenCascade work = {

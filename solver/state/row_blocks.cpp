@@ -7,18 +7,17 @@ namespace weaveform {
 void clear_gaps(RowVectors& buffers, const RowRuns& runs, int row, int stride) {
   const bool inside = row >= 0 && row + 1 < static_cast<int>(runs.first.size());
   const int first = inside ? runs.first[row] : 0, last = inside ? runs.first[row + 1] : 0;
-  const Run only = last == first + 1 ? runs.run[first] : Run{0, 0};
-  const Run all = {0, stride};
+  const Run filled = last == first ? Run{0, 0} : Run{runs.run[first].begin, runs.run[last - 1].end};
+  const bool has_gaps_inside = last > first + 1;
   for (auto& component : buffers) {
-    const bool same = component.filled.begin == only.begin && component.filled.end == only.end;
-    if (same && last <= first + 1) continue;
+    if (!has_gaps_inside && component.filled.begin == filled.begin && component.filled.end == filled.end) continue;
     int from = 0;
     for (int r = first; r < last; ++r) {
       component.clear({from, runs.run[r].begin});
       from = runs.run[r].end + 1;
     }
     component.clear({from, stride + 1});
-    component.filled = last <= first + 1 ? only : all;
+    component.filled = filled;
   }
 }
 

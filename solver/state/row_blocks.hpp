@@ -18,7 +18,7 @@ public:
   [[nodiscard]] double* data() { return storage_.data() + guard; }
   void clear(Run range) { std::fill(data() + range.begin - 1, data() + range.end, 0.0); }
 
-  // The only run that may hold anything, where there is only one; to be kept by who clears.
+  // Outside of it everything is zero, from index -1 to `stride`; clear_gaps() keeps it so.
   Run filled = {0, 0};
 
 private:
