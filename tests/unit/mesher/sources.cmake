@@ -16,6 +16,7 @@ set(UNIT_MESHER_SOURCES
   unit/mesher/lattice/lattice_totals_test.cpp
   unit/mesher/mesh/mesh_io_test.cpp
   unit/mesher/mesh/mesh_parts_test.cpp
+  unit/mesher/mesh/quick_base64_test.cpp
   unit/mesher/mesh/quick_compressor_test.cpp
   unit/mesher/mesh/stack_mesh_test.cpp
   unit/mesher/mesh/vtu_grid_test.cpp
