@@ -87,13 +87,17 @@ void Analysis::open() {
 }
 
 bool Analysis::step_on() {
-  pace_.next_step();
+  keep_pace();
   if (world_.steps() % check_interval == 0) look_around();
   open_outputs();
   const bool last = world_.finished();
   step(last);
   close_outputs();
   return !last && !stops_here();
+}
+
+void Analysis::keep_pace() {
+  if (team_.threads() > 1) pace_.next_step(outputs_.writes_beside());
 }
 
 void Analysis::renew_forces() {
@@ -109,7 +113,7 @@ bool Analysis::goes_on_plainly() const {
 }
 
 void Analysis::pass_on() {
-  pace_.next_step();
+  keep_pace();
   const double time = world_.time();
   world_.compute_forces_and_advance();
   outputs_.record_forces(world_, time);

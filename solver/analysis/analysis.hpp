@@ -42,6 +42,7 @@ private:
   void archive(Archive& archive);
   void begin();
   void resume();
+  void keep_pace();
   void renew_step();
   void refuse_long_step() const;
   void check_state();

@@ -41,6 +41,8 @@ public:
   void append_rows();
   // The end of the run; history.csv is whole.
   void finish();
+  // Whether a frame is on its way to its file, by a thread of its own.
+  [[nodiscard]] bool writes_beside() const { return frames_ && frames_->is_writing(); }
   // Also of a run that fails.
   void write_history_file() const;
   // Waits until the frames written are on the disk.

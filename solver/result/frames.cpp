@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <initializer_list>
 #include <memory>
@@ -299,6 +300,10 @@ void FrameWriter::write(const Fields& fields) {
   grid_->fill(mesh_, fields);
   times_.push_back(fields.time);
   at_work_ = std::async(std::launch::async, [this] { write_last(); });
+}
+
+bool FrameWriter::is_writing() const {
+  return at_work_.valid() && at_work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
 }
 
 void FrameWriter::write_last() const {

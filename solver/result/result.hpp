@@ -119,6 +119,7 @@ public:
   // Packs and writes the frame beside what the caller does next, after waiting for the one before. Throws FileError for
   // the frame before; the last one's comes from settle().
   void write(const Fields& fields);
+  [[nodiscard]] bool is_writing() const;
   [[nodiscard]] int count() const { return static_cast<int>(times_.size()); }
   [[nodiscard]] const std::vector<double>& times() const {
     return times_;

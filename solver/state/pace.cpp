@@ -67,10 +67,19 @@ bool Pace::together(double now, bool plain) {
   return together_;
 }
 
-void PaceKeeper::next_step() {
-  if (team_.threads() == 1) return;
+bool TwoPaces::together(double now, bool plain, bool beside) {
+  if (of_step_ != nullptr) {
+    of_step_->time += now - last_;
+    of_step_->together = of_step_->pace.together(of_step_->time, plain);
+  }
+  last_ = now;
+  of_step_ = beside ? &beside_ : &quiet_;
+  return of_step_->together;
+}
+
+void PaceKeeper::next_step(bool beside) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  team_.set_together(pace_.together(std::chrono::duration<double>(now).count(), plain_));
+  team_.set_together(pace_.together(std::chrono::duration<double>(now).count(), plain_, beside));
   plain_ = true;
 }
 

@@ -32,18 +32,36 @@ private:
   double kept_share_;       // 1; of the whole time that a way is kept
 };
 
+// A frame on its way to its file takes a core, often the one that a team's second thread would have: which way is faster
+// then, and which when nothing is beside, are two questions, each asked in its own time.
+class TwoPaces {
+public:
+  // As Pace's; `plain` is of the step just made, `beside` of the step that begins.
+  [[nodiscard]] bool together(double now, bool plain, bool beside);
+
+private:
+  struct Its {
+    Pace pace;
+    double time = 0.0;     // s; of all its steps
+    bool together = true;  // in its next one
+  };
+  Its quiet_, beside_;
+  Its* of_step_ = nullptr;  // whose step was just made
+  double last_ = 0.0;       // s
+};
+
 // Keeps a team's pace by the clock of the machine.
 class PaceKeeper {
 public:
   explicit PaceKeeper(Team& team) : team_(team) {}
-  // Before every step.
-  void next_step();
+  // Before every step; `beside`: another thread of the run is at work.
+  void next_step(bool beside);
   // Of the step at work: it writes, or looks for the stable step, which one thread does.
   void not_plain() { plain_ = false; }
 
 private:
   Team& team_;
-  Pace pace_;
+  TwoPaces pace_;
   bool plain_ = true;
 };
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <cmath>
 
 namespace weaveform {
 namespace {
@@ -91,6 +91,47 @@ TEST(Pace, AStepThatIsNeverPlainCountsAllTheSame) {
 
 TEST(Pace, LeavesACoreToOthersForAGainThatIsNone) {
   EXPECT_LT(PacedRun().share_together(2e-5, 1.99e-5, 20.0), 0.03);
+}
+
+// A run whose frames, from the first step on, are written beside it by a thread that takes a core: so long, so often.
+struct RunWithFrames {
+  TwoPaces pace;
+  double now = 100.0;
+
+  struct Shares {
+    double quiet, beside;  // of the time with and without, worked together
+  };
+  Shares shares_together(double team_quiet, double team_beside, double duration) {
+    constexpr double alone = 1e-4, frame_every = 0.07, frame_takes = 0.03;  // s
+    const double start = now;
+    double together[2] = {0.0, 0.0}, all[2] = {0.0, 0.0};
+    while (now < start + duration) {
+      const bool beside = std::fmod(now - start, frame_every) < frame_takes, team = pace.together(now, true, beside);
+      const double takes = !team ? alone : (beside ? team_beside : team_quiet);
+      now += takes;
+      all[beside ? 1 : 0] += takes;
+      together[beside ? 1 : 0] += team ? takes : 0.0;
+    }
+    return {together[0] / all[0], together[1] / all[1]};
+  }
+};
+
+TEST(TwoPaces, AFrameThatTakesACoreIsNotHeldAgainstTheTeam) {
+  const auto shares = RunWithFrames().shares_together(6e-5, 1.8e-4, 2.0);
+  EXPECT_GT(shares.quiet, 0.9);
+  EXPECT_LT(shares.beside, 0.1);
+}
+
+TEST(TwoPaces, WhereCoresAreLeftTheTeamStaysTogetherBesideAFrame) {
+  const auto shares = RunWithFrames().shares_together(6e-5, 6e-5, 2.0);
+  EXPECT_GT(shares.quiet, 0.9);
+  EXPECT_GT(shares.beside, 0.9);
+}
+
+TEST(TwoPaces, ATeamThatNeverHelpsIsSetAsideAtAllTimes) {
+  const auto shares = RunWithFrames().shares_together(1.3e-4, 1.8e-4, 4.0);
+  EXPECT_LT(shares.quiet, 0.1);
+  EXPECT_LT(shares.beside, 0.1);
 }
 
 }  // namespace
