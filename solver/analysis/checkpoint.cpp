@@ -11,7 +11,7 @@
 namespace weaveform {
 namespace {
 
-constexpr std::string_view magic = "weaveform checkpoint 9\n";
+constexpr std::string_view magic = "weaveform checkpoint 10\n";
 constexpr std::size_t head_size = magic.size() + 2 * sizeof(std::uint64_t);
 
 void archive_identity(Archive& archive, Identity& identity) {

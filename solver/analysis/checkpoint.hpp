@@ -1,6 +1,6 @@
 // checkpoint.bin: everything that a stopped or killed analysis needs to go on with the same bits.
 //
-//   "weaveform checkpoint 9\n"   magic and format
+//   "weaveform checkpoint 10\n"   magic and format
 //   u64 size of the file, u64 check sum (XXH3) of all that follows
 //   identity of the run (identity.hpp)
 //   the state, as whatever has one archives it (solver/state/archive.hpp)

@@ -135,6 +135,17 @@ void PlyContact::Parts::sleep_or_wake(Pair& its, double gap) {
   for (auto& pass : its.pass) pass.forget();
 }
 
+// Pairs that may have come near since they were last looked at.
+void PlyContact::Parts::look_at_sleepers() {
+  std::vector<Pair*> due;
+  for (auto& its : pair)
+    if (!its.awake() && its.far <= face[its.reading.lower].way + face[its.reading.upper].way) due.push_back(&its);
+  if (due.empty()) return;
+  std::vector<double> gap(2 * due.size());
+  team.run(static_cast<int>(gap.size()), [&](int k) { gap[k] = due[k / 2]->pass[k % 2].search(); });
+  for (std::size_t k = 0; k < due.size(); ++k) sleep_or_wake(*due[k], std::min(gap[2 * k], gap[2 * k + 1]));
+}
+
 void PlyContact::add_forces() {
   const auto begin = std::chrono::steady_clock::now();
   Parts& parts = *parts_;
@@ -147,12 +158,7 @@ void PlyContact::add_forces() {
   if (looks_at_edges)
     parts.team.run(static_cast<int>(parts.face.size()),
                    [&](int k) { parts.face[k].edges().look(parts.face[k].state().position); });
-  for (auto& pair : parts.pair) {
-    if (pair.awake() || pair.far > parts.face[pair.reading.lower].way + parts.face[pair.reading.upper].way) continue;
-    double gap = std::numeric_limits<double>::infinity();
-    for (auto& pass : pair.pass) gap = std::min(gap, pass.search());
-    parts.sleep_or_wake(pair, gap);
-  }
+  parts.look_at_sleepers();
   parts.look(step_made > 0.0 ? 1.0 / step_made : 0.0);
   parts.fold();
   for (auto& pair : parts.pair) parts.read(pair);
@@ -326,7 +332,10 @@ void PlyContact::archive(Archive& archive) {
     for (auto& pass : pair.pass) {
       if (awake && !pass.awake()) pass.wake();
       if (!awake && pass.awake()) pass.forget();
-      if (awake) pass.archive(archive);
+      if (awake)
+        pass.archive(archive);
+      else
+        pass.archive_feet(archive);
     }
   }
 }

@@ -17,26 +17,30 @@ constexpr double come_back_part = 0.2;  // of the softening depth: how much deep
 
 }  // namespace
 
-// From a row to the next the foot moves by about a cell. Where there is none to start from, or the way from there leads
-// off the ply (over a hole, or from beside it), from the facet that is nearest now. A way of hundreds of cells would be
-// no start: it ends somewhere, and the first step along the wrong cell's slope in another ply.
-SurfacePlace PlyPassState::place_found(int lane, const NearestFacet& nearest) const {
+// From where it was. At first from a row to the next, for the foot moves by about a cell; where there is none to start
+// from, or the way from there leads off the ply (over a hole, or from beside it), from the facet that is nearest now. A
+// way of hundreds of cells would be no start: it ends somewhere, and the first step along the wrong cell's slope in
+// another ply.
+SurfacePlace PlyPassState::place_found(int lane, std::optional<NearestFacet>& nearest) const {
   const PlySurface& surface = other_.surface();
   const auto& position = other_.state().position;
+  if (facet_[lane] >= 0)
+    if (const SurfacePlace again = place_again(lane); again.facet >= 0) return again;
   const int node = own_.node_of(lane), south = own_.arms(node).arm[2], beside = own_.lane_of(south);
   const Vec3 x = own_.position(node), normal = own_.normal(node);
   SurfacePlace place;
   if (south < node && beside >= 0) place = place_of(beside);
   if (place.facet >= 0 && surface.follow(place, x, normal, position) && surface.outside(place) <= cell_border)
     return place;
-  place = nearest(x);
+  if (!nearest) nearest.emplace(surface, position);
+  place = (*nearest)(x);
   return place.facet >= 0 && surface.follow(place, x, normal, position) ? place : SurfacePlace{};
 }
 
 double PlyPassState::search(std::vector<double>* depths) {
   wake();
   if (depths != nullptr) depths->assign(own_.nodes(), no_depth);
-  const NearestFacet nearest(other_.surface(), other_.state().position);
+  std::optional<NearestFacet> nearest;  // costs as much as many feet
   double least_gap = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < own_.blocks().size(); ++b) {
     const PlyBlock& block = own_.blocks()[b];
@@ -44,9 +48,8 @@ double PlyPassState::search(std::vector<double>* depths) {
     for (int l = block.at; l < block.at + block.count; ++l) {
       const int node = own_.node_of(l);
       const SurfacePlace place = place_found(l, nearest);
-      if (place.facet < 0) continue;
       put(l, place);
-      if (other_.surface().outside(place) > cell_border) continue;
+      if (place.facet < 0 || other_.surface().outside(place) > cell_border) continue;
       const double depth = depth_at(l, place, own_.normal(node));
       turn_on(l, place, depth);
       deepest = std::max(deepest, depth);

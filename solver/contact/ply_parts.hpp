@@ -49,6 +49,7 @@ struct PlyContact::Parts {
   void look_at_start(Pair& its, std::vector<std::string>& complaints);
   void sleep_or_wake(Pair& its, double gap);
   void count_ways(double step_made);
+  void look_at_sleepers();
   void look(double inverse_time);
   void fold();
   void read(Pair& its) const;

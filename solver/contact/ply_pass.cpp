@@ -46,13 +46,13 @@ PlyPassState::PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw&
       sums_(own.blocks().size()) {}
 
 std::vector<Doubles*> PlyPassState::numbers() {
-  return {&stiffness_, &on_quads_,  &place_[0],  &place_[1], &anchor_[0],
-          &anchor_[1], &origin_[0], &origin_[1], &depth_,    &path_};
+  return {&stiffness_, &on_quads_, &anchor_[0], &anchor_[1], &origin_[0], &origin_[1], &depth_, &path_};
 }
 
 void PlyPassState::wake() {
   const auto count = static_cast<std::size_t>(own_.lanes());
-  facet_.assign(count, -1);
+  facet_.resize(count, -1);
+  for (auto& list : place_) list.resize(count, 0.0);
   origin_facet_.assign(count, -1);
   corner_.assign(count, 0);
   first_corner_.assign(count, 0);
@@ -61,7 +61,7 @@ void PlyPassState::wake() {
 }
 
 void PlyPassState::forget() {
-  facet_ = origin_facet_ = {};
+  origin_facet_ = {};
   corner_ = first_corner_ = {};
   for (auto* list : numbers()) *list = {};
   for (auto& list : drag_) list = {};
@@ -366,12 +366,18 @@ PlyPassState::Press PlyPassState::press(int lane) const {
   return press;
 }
 
+void PlyPassState::archive_feet(Archive& archive) {
+  archive.indices("a foot's cell", facet_, -1, other_.surface().facets() - 1);
+  for (auto& list : place_) archive.numbers("a foot", list);
+  for (const int facet : facet_)
+    if (facet >= 0 && !other_.surface().exists(facet)) throw DamagedState{"a foot where there is no cell"};
+}
+
 void PlyPassState::archive(Archive& archive) {
-  const int facets = other_.surface().facets();
-  archive.indices("a foot's cell", facet_, -1, facets - 1);
-  archive.indices("a first foot's cell", origin_facet_, -1, facets - 1);
+  archive_feet(archive);
+  archive.indices("a first foot's cell", origin_facet_, -1, other_.surface().facets() - 1);
   archive.numbers("a spring between plies", stiffness_, not_negative);
-  for (auto* places : {&place_, &anchor_, &origin_})
+  for (auto* places : {&anchor_, &origin_})
     for (auto& list : *places) archive.numbers("a foot", list);
   archive.numbers("a depth between plies", depth_);
   archive.numbers("a slip path", path_, not_negative);
@@ -386,8 +392,8 @@ void PlyPassState::archive(Archive& archive) {
   }
   for (int l = 0; l < own_.lanes(); ++l) {
     if (stiffness_[l] > 0.0 && facet_[l] < 0) throw DamagedState{"a spring between plies without a foot"};
-    for (const int facet : {facet_[l], origin_facet_[l]})
-      if (facet >= 0 && !other_.surface().exists(facet)) throw DamagedState{"a foot where there is no cell"};
+    if (origin_facet_[l] >= 0 && !other_.surface().exists(origin_facet_[l]))
+      throw DamagedState{"a first foot where there is no cell"};
     set_corner(l);
   }
   for (std::size_t b = 0; b < clear_.size(); ++b) count_off(static_cast<int>(b));

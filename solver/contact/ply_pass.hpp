@@ -10,6 +10,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "solver/contact/nearest_facet.hpp"
@@ -36,12 +37,12 @@ public:
   // `law`'s tables and both plies must outlive the pass. `swollen`: a ply thickens, and both have a swell.
   PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency, bool swollen);
 
-  // Finds every node's foot, from nothing. mm: the least gap between the two, negative inside; with `depths` (per packed
+  // Finds every node's foot: from where it was when the pass fell asleep, at first from nothing. mm: the least gap between the two, negative inside; with `depths` (per packed
   // node) each one's depth, -infinity where there is none.
   double search(std::vector<double>* depths = nullptr);
   void wake();    // arrays without content, to be read from an archive
-  void forget();  // a pass that sleeps has no arrays
-  [[nodiscard]] bool awake() const { return !facet_.empty(); }
+  void forget();  // a pass that sleeps keeps nothing but where its feet were
+  [[nodiscard]] bool awake() const { return !stiffness_.empty(); }
 
   // Whether the block can touch now.
   [[nodiscard]] bool is_near(int block) const { return far_[block] <= own_.way + other_.way; }
@@ -74,6 +75,7 @@ public:
   [[nodiscard]] Press press(int lane) const;
 
   void archive(Archive& archive);
+  void archive_feet(Archive& archive);  // all that one asleep has
 
 private:
   // Feet of a block where the other's surface is rounded.
@@ -96,7 +98,7 @@ private:
   [[nodiscard]] double reach_at(int lane, const SurfacePlace& place) const;
   [[nodiscard]] double depth_at(int lane, const SurfacePlace& place, const Vec3& normal) const;
   [[nodiscard]] SurfacePlace place_of(int lane) const { return {facet_[lane], place_[0][lane], place_[1][lane]}; }
-  [[nodiscard]] SurfacePlace place_found(int lane, const NearestFacet& nearest) const;
+  [[nodiscard]] SurfacePlace place_found(int lane, std::optional<NearestFacet>& nearest) const;
   [[nodiscard]] bool faces(int lane, const SurfacePlace& place) const;
   [[nodiscard]] bool may_come_back(int lane, const SurfacePlace& place) const;
   [[nodiscard]] bool holds_on(const SurfacePlace& place) const;

@@ -146,8 +146,7 @@ SurfacePlace PlySurface::find(const Vec2& material) const {
       const int i = static_cast<int>(std::floor(material[0] + du)), j = static_cast<int>(std::floor(material[1] + dv));
       const int at = square(i, j);
       if (at < 0) continue;
-      if (i >= 0 && j >= 0 && i < stride_ && j < rows_ && is_quad_[j * stride_ + i] != 0)
-        return on_facet(j * stride_ + i, material);
+      if (has_quad(i, j)) return on_facet(j * stride_ + i, material);
       for (int k = first_[at]; k < first_[at + 1]; ++k)
         if (const auto place = on_facet(lattice_nodes_ + in_square_[k], material); outside(place) <= border)
           return place;
@@ -159,20 +158,32 @@ SurfacePlace PlySurface::near(const Vec2& material) const {
   if (const auto place = find(material); place.facet >= 0) return place;
   if (!(std::abs(material[0]) < 1e8 && std::abs(material[1]) < 1e8)) return {};
   const int i0 = static_cast<int>(std::floor(material[0])), j0 = static_cast<int>(std::floor(material[1]));
+  // from the place to a square, and so to what of a facet is in it
+  const auto way_to = [&](int i, int j) {
+    return std::hypot(std::max({0.0, i - material[0], material[0] - i - 1.0}),
+                      std::max({0.0, j - material[1], material[1] - j - 1.0}));
+  };
+  constexpr int reach = 2;
+  double way[2 * reach + 1][2 * reach + 1], enough = std::numeric_limits<double>::infinity();
+  for (int j = 0; j <= 2 * reach; ++j)
+    for (int i = 0; i <= 2 * reach; ++i) {
+      way[j][i] = way_to(i0 - reach + i, j0 - reach + j);
+      if (has_quad(i0 - reach + i, j0 - reach + j)) enough = std::min(enough, way[j][i]);
+    }
   SurfacePlace nearest;
   double least = std::numeric_limits<double>::infinity();
   const auto try_facet = [&](int facet) {
     const auto place = on_facet(facet, material);
-    if (const double way = away(place); way < least) {
-      least = way;
+    if (const double its = away(place); its < least) {
+      least = its;
       nearest = place;
     }
   };
-  for (int j = j0 - 2; j <= j0 + 2; ++j)
-    for (int i = i0 - 2; i <= i0 + 2; ++i) {
+  for (int j = j0 - reach; j <= j0 + reach; ++j)
+    for (int i = i0 - reach; i <= i0 + reach; ++i) {
       const int at = square(i, j);
-      if (at < 0) continue;
-      if (i >= 0 && j >= 0 && i < stride_ && j < rows_ && is_quad_[j * stride_ + i] != 0) try_facet(j * stride_ + i);
+      if (at < 0 || way[j - j0 + reach][i - i0 + reach] > enough + border) continue;
+      if (has_quad(i, j)) try_facet(j * stride_ + i);
       for (int k = first_[at]; k < first_[at + 1]; ++k) try_facet(lattice_nodes_ + in_square_[k]);
     }
   return nearest;

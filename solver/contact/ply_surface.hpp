@@ -67,6 +67,9 @@ private:
   };
   void add_triangles(const Mesh& mesh, const PackedMesh& packed);
   void sort_triangles();
+  [[nodiscard]] bool has_quad(int i, int j) const {  // at crossing (i, j)
+    return i >= 0 && j >= 0 && i < stride_ && j < rows_ && is_quad_[j * stride_ + i] != 0;
+  }
   [[nodiscard]] int square(int i, int j) const;  // -1 outside the table
 
   int stride_, rows_, lattice_nodes_;

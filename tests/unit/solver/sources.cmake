@@ -10,6 +10,7 @@ set(UNIT_SOLVER_SOURCES
   unit/solver/contact/contact_law_test.cpp
   unit/solver/contact/fabric_stiffness_test.cpp
   unit/solver/contact/ply_contact_test.cpp
+  unit/solver/contact/ply_feet_test.cpp
   unit/solver/contact/rounded_edges_test.cpp
   unit/solver/contact/sheared_thickness_test.cpp
   unit/solver/contact/stack_world_test.cpp
