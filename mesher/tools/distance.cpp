@@ -33,9 +33,15 @@ template <class Meridian>
 
 constexpr double tiny = 1e-300;  // keeps 0/0 out; mm or mm^2
 
+// mm; the radius from which a point at z is nearest to the plate's face, and not to fillet or wall.
+[[gnu::always_inline]] inline double face_from(double opening_radius, double fillet_radius, double z) {
+  return opening_radius + (-z > fillet_radius ? -z : fillet_radius);
+}
+
 // Fills in the distances from the plate's face; true when nothing nearer is near: all points are out of the fillet's
 // reach, and none so deep that the opening's wall is nearer. So it is for most blocks of a blank, and roots and
-// quotients are spared.
+// quotients are spared. A point's numbers are those that it has among others, so that who is looked at with whom does not
+// show.
 bool face_distances(const Placement& place, double opening_radius, double fillet_radius, const Coordinates& x,
                     int count, Distances& out) {
   const double ox = place.origin[0], oy = place.origin[1], oz = place.origin[2];
@@ -45,7 +51,8 @@ bool face_distances(const Placement& place, double opening_radius, double fillet
 #pragma omp simd reduction(min : lowest, least_square)
   for (int n = 0; n < count; ++n) {
     const double dx = px[n] - ox, dy = py[n] - oy, dz = pz[n] - oz;
-    const double z = dx * ax + dy * ay + dz * az, square = dx * dx + dy * dy + dz * dz - z * z;
+    const double z = dx * ax + dy * ay + dz * az;
+    const double rx = dx - z * ax, ry = dy - z * ay, rz = dz - z * az, square = rx * rx + ry * ry + rz * rz;
     out.distance[n] = z;
     out.normal[0][n] = ax;
     out.normal[1][n] = ay;
@@ -53,7 +60,7 @@ bool face_distances(const Placement& place, double opening_radius, double fillet
     lowest = z < lowest ? z : lowest;
     least_square = square < least_square ? square : least_square;
   }
-  const double radius = opening_radius + (-lowest > fillet_radius ? -lowest : fillet_radius);
+  const double radius = face_from(opening_radius, fillet_radius, lowest);
   return least_square >= radius * radius;
 }
 
@@ -90,7 +97,9 @@ void ring_distances(const Placement& place, double opening_radius, double fillet
     const double face_r = u > w ? -1.0 : 0.0, face_z = u > w ? 0.0 : 1.0;
     const double normal_r = greater > 0.0 ? -pu * inverse : face_r;
     const double normal_z = greater > 0.0 ? pw * inverse : face_z;
-    return HalfPlane{size - f + deep, normal_r * inverse_r, normal_z};
+    const double from = face_from(a, f, z);
+    const bool on_face = r2 >= from * from;
+    return HalfPlane{on_face ? z : size - f + deep, on_face ? 0.0 : normal_r * inverse_r, on_face ? 1.0 : normal_z};
   });
 }
 

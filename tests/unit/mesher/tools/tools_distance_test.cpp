@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/vector/vector.hpp"
@@ -145,6 +147,41 @@ TEST(ToolShape, RingAndSphereAreRevolvedProfiles) {
 }
 
 // A brute-force answer: the least distance to many points along the outline.
+// Contact asks for those that may touch, and after a restart for all. A block is full, as contact's are but the last.
+TEST(ToolShape, WhoIsAskedWithWhomDoesNotShow) {
+  constexpr int together = 8;
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> turn(-3.0, 3.0), far(10.0, 14.0), height(-2.5, 1.0);
+  for (const Tool& tool : zoo()) {
+    std::vector<Vec3> points = cloud(2000);
+    for (int k = 0; k < 2000; ++k) {  // over a ring's face, and where it begins
+      const double angle = turn(generator), r = k % 4 == 0 ? 10.0 : far(generator);
+      points.push_back({r * std::cos(angle), r * std::sin(angle), height(generator)});
+    }
+    const auto distances = [&](const std::vector<Vec3>& group) {
+      std::array<std::vector<double>, 3> x;
+      for (const Vec3& p : group)
+        for (std::size_t c = 0; c < 3; ++c) x[c].push_back(p[c]);
+      Distances out;
+      tool_distances(tool, tool.start, {x[0].data(), x[1].data(), x[2].data()}, static_cast<int>(group.size()), nullptr,
+                     out);
+      return out;
+    };
+    std::uniform_int_distribution<std::size_t> any(0, points.size() - together);
+    for (std::size_t first = 0; first + together <= points.size(); first += together) {
+      std::vector<Vec3> group(points.begin() + first, points.begin() + first + together);
+      const Distances alone = distances(group);
+      const std::size_t other = any(generator);
+      group.insert(group.end(), points.begin() + other, points.begin() + other + together);
+      const Distances with_others = distances(group);
+      for (int n = 0; n < together; ++n) {
+        ASSERT_EQ(alone.distance[n], with_others.distance[n]);
+        for (int c = 0; c < 3; ++c) ASSERT_EQ(alone.normal[c][n], with_others.normal[c][n]);
+      }
+    }
+  }
+}
+
 TEST(ToolShape, ProfileDistanceIsThatOfItsOutline) {
   const Profile profile = make_profile({{0, -3}, {5, 2, 0, 2}, {5, 6, 1}, {9, 6}, {9, 12}}, "test");
   const double step = 0.002;  // mm, between the points
