@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -167,11 +168,12 @@ TEST(ToolShape, WhoIsAskedWithWhomDoesNotShow) {
                      out);
       return out;
     };
-    std::uniform_int_distribution<std::size_t> any(0, points.size() - together);
-    for (std::size_t first = 0; first + together <= points.size(); first += together) {
+    const auto count = static_cast<std::ptrdiff_t>(points.size());
+    std::uniform_int_distribution<std::ptrdiff_t> any(0, count - together);
+    for (std::ptrdiff_t first = 0; first + together <= count; first += together) {
       std::vector<Vec3> group(points.begin() + first, points.begin() + first + together);
       const Distances alone = distances(group);
-      const std::size_t other = any(generator);
+      const std::ptrdiff_t other = any(generator);
       group.insert(group.end(), points.begin() + other, points.begin() + other + together);
       const Distances with_others = distances(group);
       for (int n = 0; n < together; ++n) {
