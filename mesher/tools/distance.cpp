@@ -40,8 +40,7 @@ constexpr double tiny = 1e-300;  // keeps 0/0 out; mm or mm^2
 
 // Fills in the distances from the plate's face; true when nothing nearer is near: all points are out of the fillet's
 // reach, and none so deep that the opening's wall is nearer. So it is for most blocks of a blank, and roots and
-// quotients are spared. A point's numbers are those that it has among others, so that who is looked at with whom does not
-// show.
+// quotients are spared. A point's numbers are those that it has among others: who is looked at with whom does not show.
 bool face_distances(const Placement& place, double opening_radius, double fillet_radius, const Coordinates& x,
                     int count, Distances& out) {
   const double ox = place.origin[0], oy = place.origin[1], oz = place.origin[2];

@@ -37,8 +37,8 @@ public:
   // `law`'s tables and both plies must outlive the pass. `swollen`: a ply thickens, and both have a swell.
   PlyPassState(PlyFace& own, const PlyFace& other, const PlyPassLaw& law, double frequency, bool swollen);
 
-  // Finds every node's foot: from where it was when the pass fell asleep, at first from nothing. mm: the least gap between the two, negative inside; with `depths` (per packed
-  // node) each one's depth, -infinity where there is none.
+  // Finds every node's foot: from where it was when the pass fell asleep, at first from nothing. mm: the least gap
+  // between the two, negative inside; with `depths` (per packed node) each one's depth, -infinity where there is none.
   double search(std::vector<double>* depths = nullptr);
   void wake();    // arrays without content, to be read from an archive
   void forget();  // a pass that sleeps keeps nothing but where its feet were

@@ -118,4 +118,12 @@ inline Scene piece(std::array<double, 2> size, double coarsening, double yarn_an
   return scene;
 }
 
+// Of 60 x 50 mm, with a corner cut out.
+inline Scene piece_without_a_corner(double yarn_angle) {
+  Scene scene = piece({60.0, 50.0}, 1.0, yarn_angle, 0.0);
+  scene.blank.shape = BlankShape::polygon;
+  scene.blank.corners = {{-30.0, -25.0}, {30.0, -25.0}, {30.0, 5.0}, {8.0, 5.0}, {8.0, 25.0}, {-30.0, 25.0}};
+  return scene;
+}
+
 }  // namespace weaveform::test

@@ -14,20 +14,14 @@ namespace weaveform {
 namespace {
 
 using test::piece;
+using test::piece_without_a_corner;
 using test::Stack;
 
-// A corner is cut out of it, and its outline cuts cells where it is turned.
-Scene piece_without_a_corner(double yarn_angle, double height) {
-  Scene scene = piece({60.0, 50.0}, 1.0, yarn_angle, height);
-  scene.blank.shape = BlankShape::polygon;
-  scene.blank.corners = {{-30.0, -25.0}, {30.0, -25.0}, {30.0, 5.0}, {8.0, 5.0}, {8.0, 25.0}, {-30.0, 25.0}};
-  return scene;
-}
-
+// Where it is turned, the outline cuts cells.
 TEST(PlySurface, TheNearestFacetIsThatOfAllThereAre) {
   std::mt19937 generator(3);
   for (const double angle : {0.0, 30.0}) {
-    Stack stack({piece_without_a_corner(angle, 0.0)});
+    Stack stack({piece_without_a_corner(angle)});
     const PlyFace face(stack.ply(0), "ply");
     const PlySurface& surface = face.surface();
     const int stride = stack.ply(0).packed().stride, rows = stack.ply(0).packed().rows;
@@ -52,7 +46,7 @@ TEST(PlySurface, TheNearestFacetIsThatOfAllThereAre) {
 // One ply turned, wavy and larger, drawn over the other and past its edges, by ways that a pair asleep may make between
 // two looks.
 TEST(PlyFeet, ThoseOfAPairAsleepAreFoundAgainWhereASearchFromNothingFindsThem) {
-  Stack stack({piece_without_a_corner(30.0, 0.0), piece({90.0, 90.0}, 1.0, 45.0, 3.0)});
+  Stack stack({piece_without_a_corner(30.0), piece({90.0, 90.0}, 1.0, 45.0, 3.0)});
   PlyFace lower(stack.ply(0), "lower"), upper(stack.ply(1), "upper");
   const double t = stack.thickness(0);
   PlyPassLaw law;

@@ -22,17 +22,11 @@ using test::Stack;
 // A ply that is bent between every two cells, with a corner cut out of it.
 class RoundedEdgesTest : public testing::Test {
 protected:
-  RoundedEdgesTest() : stack_({scene()}), face_(stack_.ply(0), "ply") {
+  RoundedEdgesTest() : stack_({test::piece_without_a_corner(0.0)}), face_(stack_.ply(0), "ply") {
     stack_.place(0, [](const Vec3& x) -> Vec3 {
       return {x[0], x[1], 3.0 * std::sin(0.2 * x[0]) * std::cos(0.17 * x[1]) + 0.002 * x[0] * x[0]};
     });
     face_.edges().look(position());
-  }
-  static Scene scene() {
-    Scene scene = piece({60.0, 50.0}, 1.0, 0.0, 0.0);
-    scene.blank.shape = BlankShape::polygon;
-    scene.blank.corners = {{-30.0, -25.0}, {30.0, -25.0}, {30.0, 5.0}, {8.0, 5.0}, {8.0, 25.0}, {-30.0, 25.0}};
-    return scene;
   }
   const Components& position() { return stack_.ply(0).state().position; }
   const PlySurface& surface() const { return face_.surface(); }
